@@ -8,7 +8,7 @@ export function samples(row: Row): unknown[] {
     case 'flag':
       return [true];
     case 'number':
-      return [Math.min(row.most, 7)];
+      return [Math.min(row.max, 7)];
     case 'numbers':
       return [[0.5, 2]];
     case 'words':

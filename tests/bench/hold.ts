@@ -14,7 +14,7 @@ import { poseFiles } from '../engine/support/glb.ts';
 import { frameOf } from './frames.ts';
 import { short, table } from './format.ts';
 import { quantile } from './quantile.ts';
-import { aligned, Sliding, walkedOn } from './truth.ts';
+import { aligned, Sliding, walkedOn } from './reference-errors.ts';
 
 /** Frames of the animation between keys. */
 const STEPS = [5, 8, 10];
@@ -120,11 +120,11 @@ async function compare(engine: Engine, { title, faces, times, shapes }: Captured
     await sequence.update({ ...MOTIONS[name], keyTimes });
     const [raw, turned, sliding] = [new KgError(), new KgError(), new Sliding(diagonal)];
     for (let i = 0; i <= (poses.length - 1) * step; i += 1) {
-      const truth = shapes[i]!;
+      const reference = shapes[i]!;
       const frame = await frameOf(sequence.evaluate(times[i]!));
-      raw.add(truth, frame.positions);
-      turned.add(truth, aligned(frame.positions, truth));
-      sliding.add(truth, frame.positions, i % step === 0);
+      raw.add(reference, frame.positions);
+      turned.add(reference, aligned(frame.positions, reference));
+      sliding.add(reference, frame.positions, i % step === 0);
       frame.release();
     }
     errors[name] = { raw: raw.percent, aligned: turned.percent, sliding: sliding.percent };

@@ -21,7 +21,7 @@ const GB = 2 ** 30;
 const SIXTY_A_SECOND = 100_000,
   THIRTY_A_SECOND = 400_000;
 /** The heap of a smaller mesh is too small to matter. */
-const LEAST_FACES_FOR_HEAP = 80_000;
+const MIN_FACES_FOR_HEAP = 80_000;
 /** Heaps grow in steps. Up to rounding, another sequence must not need another step. */
 const SAME_MEMORY = 1.02;
 
@@ -54,7 +54,7 @@ export function targetsOf(mesh: string, run: Run): Target[] {
   add('silence while importing, ms', run.importSilence.ms, 250);
   add('silence while building, ms', builds.silence.ms, 250);
   if (large) add('wasm memory, GB', run.heapBytes / GB, 1.5);
-  if (faces >= LEAST_FACES_FOR_HEAP) add('heap / what is kept of it', builds.peakOverKept, 1.3);
+  if (faces >= MIN_FACES_FOR_HEAP) add('heap / what is kept of it', builds.peakOverKept, 1.3);
   add('heap, fifth sequence / second', builds.heapGrowth, SAME_MEMORY);
   add('heap after ten refits / one', run.refitGrowth, SAME_MEMORY);
   // A heap that is leaked each time would make the ratio three.

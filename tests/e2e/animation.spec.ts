@@ -150,7 +150,7 @@ test('the fewest keys for an error are found, and the animation is shown next to
   test.slow();
   await app.open();
   await dropped(app, upload('CesiumMan.glb', bytesOf(file!)));
-  // Escape in the sheet ends the sheet's running work, and nothing else.
+  // Escape in the dialog ends the dialog's running work, and nothing else.
   const untouched = await keyTimes(app);
   await app.by('sample-tolerance').fill('0.1');
   await app.by('sample-tolerance').press('Enter');
@@ -170,7 +170,7 @@ test('the fewest keys for an error are found, and the animation is shown next to
   await expect.poll(found(/most ([\d.]+) %/), { timeout: 60_000 }).toBeLessThanOrEqual(percent);
   expect(await found(/^(\d+) keys/)()).toBe((await keyTimes(app)).length);
 
-  // Progress is shown in the sheet, not over the shape.
+  // Progress is shown in the dialog, not over the shape.
   await expect(app.by('opening').getByTestId('progress')).toHaveCount(1);
 
   await expect(app.by('sample-original')).toBeChecked();
@@ -183,7 +183,7 @@ test('the fewest keys for an error are found, and the animation is shown next to
   const off = difference(await app.positions(1), between) / diagonal(between);
   expect(off).toBeGreaterThan(1e-4);
   expect(off).toBeLessThan(0.03);
-  // Keyboard focus that moves below the sheet closes it.
+  // Keyboard focus that moves below the dialog closes it.
   await app.by('method').focus();
   await app.page.keyboard.press('Shift');
   await expect(app.by('opening')).toBeHidden();
@@ -193,51 +193,51 @@ test('the fewest keys for an error are found, and the animation is shown next to
   await app.expectNoProblems();
 });
 
-test('one sheet asks for the options of the animation, and then becomes a panel again', async ({ app }) => {
+test('one dialog asks for the options of the animation, and then becomes a panel again', async ({ app }) => {
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
-  const sheet = app.by('opening');
-  await expect(sheet.getByTestId('sampling')).toBeVisible();
-  // The sheet takes neither the focus nor room from the shape.
+  const dialog = app.by('opening');
+  await expect(dialog.getByTestId('sampling')).toBeVisible();
+  // The dialog takes neither the focus nor room from the shape.
   expect(await app.page.evaluate(() => document.activeElement === document.body)).toBe(true);
-  const [box, picture] = [(await sheet.boundingBox())!, (await app.by('viewport').boundingBox())!];
+  const [box, picture] = [(await dialog.boundingBox())!, (await app.by('viewport').boundingBox())!];
   expect(box.x).toBeGreaterThanOrEqual(picture.x + picture.width);
   const labels = await app.by('animation').locator('option').allInnerTexts();
   expect(labels.length).toBeGreaterThan(1);
   for (const label of labels) expect(label).toMatch(/\S.*\(\d+\.\d\d s, [\d,]+ keys?\)/);
-  // Controls that show the effect keep the sheet open; other presses close it.
+  // Controls that show the effect keep the dialog open; other presses close it.
   await app.by('view-front').click();
   await app.by('play').click();
   await app.by('play').click();
   await app.page.keyboard.press('w');
   await expect.poll(async () => (await app.state()).view.wireframe).toBe(true);
-  await expect(sheet).toBeVisible();
+  await expect(dialog).toBeVisible();
   await app.page.keyboard.press('m');
   await expect.poll(async () => (await app.state()).doc.motion.method).toBe('geodesic');
-  await expect(sheet).toBeHidden();
+  await expect(dialog).toBeHidden();
   await expect(app.by('panel-motion').getByTestId('sampling')).toBeVisible();
   await expect(app.by('import-offer')).toBeHidden();
   await app.by('undo').click();
   await app.settled();
-  await expect(sheet).toBeHidden();
+  await expect(dialog).toBeHidden();
   await app.expectNoProblems();
 });
 
-test('on a phone the sheet leaves room for the shape, upright and sideways', async ({ app }) => {
+test('on a phone the dialog leaves room for the shape, upright and sideways', async ({ app }) => {
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));
-  const sheet = app.by('opening');
-  await expect(sheet).toBeVisible();
+  const dialog = app.by('opening');
+  await expect(dialog).toBeVisible();
   expect((await app.by('viewport').boundingBox())!.height).toBeGreaterThanOrEqual(370);
-  expect((await sheet.boundingBox())!.y).toBeGreaterThanOrEqual(370);
-  // On a phone in landscape, the whole sheet is visible and the buttons cover little of a wide shape.
+  expect((await dialog.boundingBox())!.y).toBeGreaterThanOrEqual(370);
+  // On a phone in landscape, the whole dialog is visible and the buttons cover little of a wide shape.
   const height = 375;
   await app.page.setViewportSize({ width: 667, height });
   await expect.poll(async () => (await app.by('viewport').boundingBox())!.height).toBeGreaterThan(300);
   await app.settled();
-  expect(await sheet.evaluate((element) => element.scrollHeight - element.clientHeight)).toBeLessThanOrEqual(1);
-  const asked = (await sheet.boundingBox())!;
+  expect(await dialog.evaluate((element) => element.scrollHeight - element.clientHeight)).toBeLessThanOrEqual(1);
+  const asked = (await dialog.boundingBox())!;
   expect(asked.y + asked.height).toBeLessThanOrEqual(height);
   const buttons = (await app.page.locator('.view-buttons').boundingBox())!;
   const under = await app.page.evaluate(({ x, y, width: wide, height: high }) => {
@@ -254,7 +254,7 @@ test('on a phone the sheet leaves room for the shape, upright and sideways', asy
   await app.page.setViewportSize({ width: 360, height: 740 });
   await app.by('sample-count').focus();
   await app.page.keyboard.press('Escape');
-  await expect(sheet).toBeHidden();
+  await expect(dialog).toBeHidden();
   await expect(app.by('play')).toBeVisible();
   await app.expectNoProblems();
 });
@@ -279,7 +279,7 @@ test('the page offers to loop a motion that ends as it began', { tag: '@all' }, 
   await app.expectNoProblems();
 });
 
-test('the offer to loop an animation is in its sheet, and can be dismissed on the smallest phone', {
+test('the offer to loop an animation is in its dialog, and can be dismissed on the smallest phone', {
   tag: '@all',
 }, async ({ app }) => {
   const closed = realFile('skin/Soldier.glb');

@@ -22,7 +22,7 @@ const STATE = '#sample=twisted-bar&compare=linear&split=0.5';
 /** Number of times from the first key to the last; the way back repeats the times in between. */
 const TIMES = 18;
 const DELAY_MS = 80;
-const MOST_BYTES = 1e6;
+const MAX_BYTES = 1e6;
 const COLOURS = 128;
 const [SHRUNK, LEVELS] = [4, 40];
 
@@ -87,7 +87,7 @@ test('the animated image of the README matches the page', { tag: '@all' }, async
     for (let index = 0; index < TIMES; index += 1) pictures.push(await drawn(app, index));
     writeFileSync(file, gifOf(pictures));
   }
-  expect(statSync(file).size).toBeLessThan(MOST_BYTES);
+  expect(statSync(file).size).toBeLessThan(MAX_BYTES);
   const now = await drawn(app, 5);
   const off = async (index: number): Promise<number> =>
     changedShare(shrink((await stored(app, index)).picture, SHRUNK), shrink(now, SHRUNK), LEVELS);

@@ -87,17 +87,17 @@ async function off(app: App, file: Buffer, index: number, picture: Buffer): Prom
 }
 
 test('the images of the gallery match the page', { tag: '@all' }, async ({ app }, info) => {
-  const anew = info.config.updateSnapshots === 'all';
-  test.setTimeout(anew ? 300_000 : 90_000);
+  const isUpdate = info.config.updateSnapshots === 'all';
+  test.setTimeout(isUpdate ? 300_000 : 90_000);
   await app.open();
   const cards = app.page.locator('.sample-card');
   const all = await cards.evaluateAll((found) => found.map((card) => card.getAttribute('data-id')!));
   expect(all.length).toBeGreaterThanOrEqual(10);
-  for (const id of anew ? all : ['dachshund', 'column']) {
+  for (const id of isUpdate ? all : ['dachshund', 'column']) {
     const file = path.join(folder, `${id}.webp`);
     await openAlone(app, id);
     const moments = await momentsOf(app);
-    if (anew) {
+    if (isUpdate) {
       mkdirSync(folder, { recursive: true });
       const pictures: Buffer[] = [];
       for (const t of moments) pictures.push(await drawn(app, t));

@@ -48,8 +48,8 @@ export async function shrunk(app: App): Promise<Buffer> {
 }
 
 /** Compares the image with the stored one, part by part, or retakes it. */
-export function expectAsKept(file: string, now: Buffer, parts: readonly Part[], anew: boolean): void {
-  if (anew) {
+export function expectAsKept(file: string, now: Buffer, parts: readonly Part[], isUpdate: boolean): void {
+  if (isUpdate) {
     mkdirSync(path.dirname(file), { recursive: true });
     writeFileSync(file, now);
     return;

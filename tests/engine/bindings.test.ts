@@ -1,8 +1,8 @@
 import { readFile } from 'node:fs/promises';
 import { describe, expect, it } from 'vitest';
 import { EngineError } from '../../web/engine/api/errors.ts';
-import { QUESTIONS } from '../../web/engine/wire/calls.ts';
-import { MOST_TURNS } from '../../web/engine/api/option-table.ts';
+import { QUERIES } from '../../web/engine/wire/calls.ts';
+import { MAX_TURNS } from '../../web/engine/api/option-table.ts';
 import { ENCODING_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
 import { bendData, createBend, localCore, localFiles, motion } from './support/core.ts';
 import type { WasmModule } from '../../web/engine/worker/wasm-module.ts';
@@ -29,10 +29,10 @@ describe('the bindings', () => {
     const exportedBy = (module: WasmModule): string[] =>
       Object.keys(module).filter((name) => /^_(shapespline_|malloc|free)/.test(name));
     const common = declaredIn('WasmModule');
-    const questions = Object.values(QUESTIONS).map(({ symbol }) => symbol);
+    const queries = Object.values(QUERIES).map(({ symbol }) => symbol);
     const [core, files] = [(await localCore()).module, (await localFiles()).module];
     expect(common.length).toBe(4);
-    expect(exportedBy(core).sort()).toEqual([...common, ...declaredIn('CoreModule'), ...questions].sort());
+    expect(exportedBy(core).sort()).toEqual([...common, ...declaredIn('CoreModule'), ...queries].sort());
     expect(exportedBy(files).sort()).toEqual([...common, ...declaredIn('FilesModule')].sort());
   });
 
@@ -125,8 +125,8 @@ describe('the bindings', () => {
         ...motion,
         options: { ...MOTION_DEFAULTS, turns: [{ key: 1, turns }] },
       });
-    turned(MOST_TURNS).release();
-    expect(failure(() => turned(MOST_TURNS + 1)).code).toBe('invalid-option');
+    turned(MAX_TURNS).release();
+    expect(failure(() => turned(MAX_TURNS + 1)).code).toBe('invalid-option');
   });
 
   it('report an internal error for a stale handle and an unknown choice, without a trap', async () => {

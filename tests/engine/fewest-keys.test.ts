@@ -26,17 +26,17 @@ const inputs: Input[] = [
 /** Largest distance between the motion through these keys and the animation, relative to the diagonal. */
 async function errorAt(file: InputFile, keyTimes: number[], times: number[]): Promise<number> {
   const keys = await engine.importKeyframes([file], { sample: keyTimes });
-  const truth = await engine.importKeyframes([file], { sample: times });
+  const reference = await engine.importKeyframes([file], { sample: times });
   const sequence = await engine.createSequence(keys);
   const frames = await sequence.evaluateMany(times);
   let largest = 0;
   frames.forEach(({ positions }, index) => {
-    const wanted = truth.positions(index);
+    const wanted = reference.positions(index);
     for (let i = 0; i < wanted.length; i += 3)
       largest = Math.max(largest, Math.hypot(...[0, 1, 2].map((c) => positions[i + c]! - wanted[i + c]!)));
   });
   const { diagonal } = keys.info.report;
-  for (const made of [sequence, keys, truth]) made.dispose();
+  for (const made of [sequence, keys, reference]) made.dispose();
   return largest / diagonal;
 }
 
@@ -54,7 +54,7 @@ describe('the fewest keys of an animation', () => {
         const stages: number[] = [];
         const found = await fewestKeys(engine, reference, {
           tolerance,
-          most: 64,
+          max: 64,
           options: {},
           onProgress: ({ fraction }) => stages.push(fraction),
         });
@@ -68,7 +68,7 @@ describe('the fewest keys of an animation', () => {
       }
       expect(counts[0]).toBeLessThan(counts[1]!);
       expect(counts[1]).toBeLessThan(reference.times.length / 2);
-      const limited = await fewestKeys(engine, reference, { tolerance: 1e-6, most: 5, options: {} });
+      const limited = await fewestKeys(engine, reference, { tolerance: 1e-6, max: 5, options: {} });
       expect(limited.times).toHaveLength(5);
       expect(limited.error).toBeGreaterThan(1e-6);
       reference.dispose();

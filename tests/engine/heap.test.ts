@@ -23,7 +23,7 @@ describe('the heap', () => {
     const cycle = (): void => {
       const bend = createBend(core, data);
       core.evaluate(bend.motion, 0.3, null);
-      core.ask('measure', bend.motion, { times: [0.3], mostMs: 0 });
+      core.ask('measure', bend.motion, { times: [0.3], maxMs: 0 });
       bend.release();
     };
     for (let i = 0; i < 10; ++i) cycle();
@@ -57,7 +57,7 @@ describe('the heap', () => {
       const alone = { library: { file: '', names: [] }, offset: [1, 2, 3] as const, local: false };
       files.writePose({ format: 'ply', faces: mesh.indices, scene, pose, ...alone });
       files.writeAnimation([pose, pose], { ...animation, faces: mesh.indices, scene });
-      files.principalOffsets({ frames: [pose.positions, pose.normals], tolerance: 0, most: 2 });
+      files.principalOffsets({ frames: [pose.positions, pose.normals], tolerance: 0, max: 2 });
     };
     for (let i = 0; i < 10; ++i) cycle();
     const bytes = files.heapBytes;

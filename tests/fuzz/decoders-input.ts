@@ -10,7 +10,7 @@ const draco = readFile(require.resolve('draco3dgltf/draco_decoder_gltf.wasm'));
 const decode = decoder(codecs, () => draco);
 
 /** Memory of the process including garbage: far above the need of a small file. */
-const MOST_MEMORY = 2e9;
+const MAX_MEMORY = 2e9;
 
 /**
  * Decodes the input or refuses it with a message, in little memory; throws otherwise. Resolves to whether it was
@@ -26,6 +26,6 @@ export async function oneInput(bytes: Uint8Array): Promise<boolean> {
     refused = true;
   }
   const { rss } = process.memoryUsage();
-  if (rss > MOST_MEMORY) throw new Error(`the process has ${(rss / 1e9).toFixed(1)} GB`);
+  if (rss > MAX_MEMORY) throw new Error(`the process has ${(rss / 1e9).toFixed(1)} GB`);
   return !refused;
 }

@@ -14,7 +14,7 @@ namespace shapespline::test::accuracy_test {
 namespace {
 
 constexpr double framesPerSecond = 60;
-constexpr int mostFrames = 121;
+constexpr int maxFrames = 121;
 
 // KG error (Karni & Gotsman, centroids) over all samples, in percent, reached with default options.
 struct Reached {
@@ -43,7 +43,7 @@ Keyframes densely(const Files& file, const std::string& animation) {
   REQUIRE_MESSAGE(first.ok(), (first.ok() ? "" : first.error().message));
   const AnimationInfo& info = first->animations[first->animation];
   const int tens = static_cast<int>((info.end - info.start) * framesPerSecond / 10 + 1e-6);
-  const int frames = std::min(mostFrames, 10 * tens + 1);
+  const int frames = std::min(maxFrames, 10 * tens + 1);
   REQUIRE(frames > 10);
   for (int i = 0; i < frames; ++i) options.sampleTimes.push_back(info.start + i / framesPerSecond);
   auto import = file.import(options);
@@ -58,17 +58,17 @@ Keyframes everyNth(const Keyframes& dense, int n) {
   return k;
 }
 
-double errorOf(Sequence& sequence, const Keyframes& truth) {
+double errorOf(Sequence& sequence, const Keyframes& reference) {
   std::vector<Positions> exact, ours;
-  for (const Key& key : truth.keys) exact.push_back(key.positions), ours.push_back(shapeAt(sequence, key.time));
+  for (const Key& key : reference.keys) exact.push_back(key.positions), ours.push_back(shapeAt(sequence, key.time));
   return kgError(exact, ours, KgCentre::FrameCentroid);
 }
 
-double errorOf(Sequence& sequence, const Keyframes& truth, Method method) {
+double errorOf(Sequence& sequence, const Keyframes& reference, Method method) {
   MotionOptions motion;
   motion.method = method;
   REQUIRE(sequence.update(motion, sequence.motion().keyTimes()).ok());
-  return errorOf(sequence, truth);
+  return errorOf(sequence, reference);
 }
 
 void check(const Reached& reached) {

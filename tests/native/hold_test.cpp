@@ -311,9 +311,9 @@ TEST_CASE("separate objects are placed independently, and joined objects togethe
     k.keys.back().positions = poseAt(j);
   }
   const auto error = [&](Sequence& s) {
-    std::vector<Positions> truth, shapes;
-    for (int i = 0; i <= 50; ++i) truth.push_back(poseAt(0.1 * i)), shapes.push_back(shapeAt(s, 0.1 * i));
-    return kgError(truth, shapes);
+    std::vector<Positions> reference, shapes;
+    for (int i = 0; i <= 50; ++i) reference.push_back(poseAt(0.1 * i)), shapes.push_back(shapeAt(s, 0.1 * i));
+    return kgError(reference, shapes);
   };
   Sequence plain = make(k, {});
   REQUIRE(plain.stats().components == 2);
@@ -361,21 +361,21 @@ TEST_CASE("objects and parts of real shapes") {
   // Two men who walk around each other.
   walk.sampleCount = 49;
   const Keyframes man = realKeyframes({"skin/CesiumMan.glb"}, walk);
-  Keyframes truth = man;
+  Keyframes reference = man;
   const double size = diagonalOf(man);
   const int vertices = static_cast<int>(man.keys[0].positions.size());
-  for (const Triangle& f : man.faces) truth.faces.push_back({f[0] + vertices, f[1] + vertices, f[2] + vertices});
+  for (const Triangle& f : man.faces) reference.faces.push_back({f[0] + vertices, f[1] + vertices, f[2] + vertices});
   for (int j = 0; j < 49; ++j) {
     const Map way = turn({0, 1, 0}, 0.05 * j, size * Vec3(0.02 * j, 0, 0.6));
-    for (const Vec3& p : man.keys[(j + 12) % 48].positions) truth.keys[j].positions.push_back(way(p));
+    for (const Vec3& p : man.keys[(j + 12) % 48].positions) reference.keys[j].positions.push_back(way(p));
   }
-  Keyframes k = truth;
+  Keyframes k = reference;
   k.keys.clear();
-  for (int j = 0; j < 49; j += 8) k.keys.push_back(truth.keys[j]);
+  for (int j = 0; j < 49; j += 8) k.keys.push_back(reference.keys[j]);
   const auto error = [&](const MotionOptions& motion) {
     Sequence s = sequenceOf(k, {}, motion);
     std::vector<Positions> dense, shapes;
-    for (const Key& key : truth.keys) dense.push_back(key.positions), shapes.push_back(shapeAt(s, key.time));
+    for (const Key& key : reference.keys) dense.push_back(key.positions), shapes.push_back(shapeAt(s, key.time));
     return kgError(dense, shapes);
   };
   const double plain = error({}), kept = error(holding());
@@ -527,14 +527,16 @@ Keyframes everyNth(const Keyframes& frames, int every) {
 }
 
 // Distance in % of the diagonal, for vertices whose true path stays near its start between two keys.
-double slid(const std::vector<Positions>& truth, const std::vector<Positions>& shapes, int every, double diagonal) {
+double slid(const std::vector<Positions>& reference, const std::vector<Positions>& shapes, int every, double diagonal) {
   double square = 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i + every < truth.size(); i += every)
-    for (std::size_t v = 0; v < truth[0].size(); ++v) {
+  for (std::size_t i = 0; i + every < reference.size(); i += every)
+    for (std::size_t v = 0; v < reference[0].size(); ++v) {
       bool rests = true;
-      for (int j = 1; j <= every; ++j) rests = rests && (truth[i + j][v] - truth[i][v]).norm() < 0.005 * diagonal;
-      for (int j = 1; j < every && rests; ++j) square += (shapes[i + j][v] - truth[i + j][v]).squaredNorm(), ++count;
+      for (int j = 1; j <= every; ++j)
+        rests = rests && (reference[i + j][v] - reference[i][v]).norm() < 0.005 * diagonal;
+      for (int j = 1; j < every && rests; ++j)
+        square += (shapes[i + j][v] - reference[i + j][v]).squaredNorm(), ++count;
     }
   return count ? 100 * std::sqrt(square / static_cast<double>(count)) / diagonal : 0;
 }
@@ -561,18 +563,18 @@ TEST_CASE("held motions compared with captured ones" * dense) {
                                  {files[2], 1, 8}, {files[2], 3, 4}, {files[2], 3, 8}};
   std::ostringstream table;
   for (const Run& run : runs) {
-    const Keyframes truth = captured(run.file, run.animation, run.every);
-    const Keyframes keys = everyNth(truth, run.every);
+    const Keyframes reference = captured(run.file, run.animation, run.every);
+    const Keyframes keys = everyNth(reference, run.every);
     std::vector<Positions> dense;
-    for (const Key& key : truth.keys) dense.push_back(key.positions);
+    for (const Key& key : reference.keys) dense.push_back(key.positions);
     table << '\n' << run.file << " " << run.animation << " every " << run.every << ", " << keys.keys.size() << " keys:";
     double plainSlide = 0, plainKg = 0;
     for (int column = 0; column < 3; ++column) {
       Sequence s = sequenceOf(keys, {}, comparedMotion(column));
       std::vector<Positions> shapes, fitted;
-      for (const Key& key : truth.keys) shapes.push_back(shapeAt(s, key.time));
+      for (const Key& key : reference.keys) shapes.push_back(shapeAt(s, key.time));
       for (std::size_t i = 0; i < dense.size(); ++i) fitted.push_back(aligned(shapes[i], dense[i]));
-      const double slide = slid(dense, shapes, run.every, diagonalOf(truth)), kg = kgError(dense, shapes);
+      const double slide = slid(dense, shapes, run.every, diagonalOf(reference)), kg = kgError(dense, shapes);
       if (column == 1) plainSlide = slide, plainKg = kg;
       table << std::fixed << std::setprecision(2) << "  " << kg << " / " << kgError(dense, fitted) << " / "
             << std::setprecision(3) << slide;
@@ -591,18 +593,18 @@ TEST_CASE("holding a walking man agrees with another implementation") {
   if (!hasData({"skin/CesiumMan.glb"})) return;
   constexpr int every = 8;
   constexpr double kg[] = {4.31, 4.20, 4.01}, fittedKg[] = {3.53, 3.35, 3.17}, slide[] = {0.254, 0.515, 0.240};
-  const Keyframes truth = captured("skin/CesiumMan.glb", 0, every);
+  const Keyframes reference = captured("skin/CesiumMan.glb", 0, every);
   std::vector<const Positions*> poses;
-  for (const Key& key : truth.keys) poses.push_back(&key.positions);
+  for (const Key& key : reference.keys) poses.push_back(&key.positions);
   const Welding welding = weld(poses, weldTolerances(poses));
   REQUIRE(welding.count == 2338);
   const double diagonal = boundingDiagonal({poses.data(), 1});
   for (int column = 0; column < 3; ++column) {
-    Sequence s = sequenceOf(everyNth(truth, every), {}, comparedMotion(column));
+    Sequence s = sequenceOf(everyNth(reference, every), {}, comparedMotion(column));
     std::vector<Positions> dense, shapes, between, ours, fitted;
-    for (std::size_t i = 0; i < truth.keys.size(); ++i) {
-      dense.push_back(weldPositions(truth.keys[i].positions, welding));
-      shapes.push_back(weldPositions(shapeAt(s, truth.keys[i].time), welding));
+    for (std::size_t i = 0; i < reference.keys.size(); ++i) {
+      dense.push_back(weldPositions(reference.keys[i].positions, welding));
+      shapes.push_back(weldPositions(shapeAt(s, reference.keys[i].time), welding));
       if (i % every == 0) continue;
       between.push_back(dense.back());
       ours.push_back(shapes.back());

@@ -9,8 +9,8 @@
 #include "real_data.h"
 #include "sequences.h"
 #include "shapes.h"
+#include "shells/deformation_transfer.h"
 #include "shells/fit_shape.h"
-#include "shells/lead_shape.h"
 #include "shells/shell_bending.h"
 #include "shells/shell_motion.h"
 #include "shells/shell_spline.h"
@@ -306,13 +306,13 @@ TEST_CASE("shells: a shape follows its coarse mesh") {
   Leader leader{full.faces, {}, {}};
   for (int f = 0; f < static_cast<int>(full.faces.size()); ++f) leader.faceOf.push_back(f);
   for (int v = 0; v < static_cast<int>(full.positions.size()); ++v) leader.vertexOf.push_back(v);
-  auto led = LedShape::create(full.faces, {full.positions}, leader);
-  REQUIRE(led.ok());
+  auto transfer = DeformationTransfer::create(full.faces, {full.positions}, leader);
+  REQUIRE(transfer.ok());
   const Positions bent = mapped(full.positions, bend(1, 4)), more = mapped(full.positions, bend(1.3, 4));
-  CHECK(largestDistance(led->follow(bent, bent, bent), bent) < 1e-11);
-  CHECK(largestDistance(led->follow(bent, bent, more), more) < 1e-9);
+  CHECK(largestDistance(transfer->follow(bent, bent, bent), bent) < 1e-11);
+  CHECK(largestDistance(transfer->follow(bent, bent, more), more) < 1e-9);
   const Map move = turn({1, 2, -1}, 2.1, {3, -1, 2});
-  CHECK(largestDistance(led->follow(bent, bent, mapped(bent, move)), mapped(bent, move)) < 1e-9);
+  CHECK(largestDistance(transfer->follow(bent, bent, mapped(bent, move)), mapped(bent, move)) < 1e-9);
 }
 
 TEST_CASE("shells: the bending energy of lengths and angles that are quadratic in time") {

@@ -13,7 +13,7 @@ namespace shapespline::test::smoothness_test {
 namespace {
 
 // Allowed step of a vertex at about 1e-10 of the range, in percent of the diagonal.
-constexpr double leastStep = 1e-4;
+constexpr double minStep = 1e-4;
 // A patch never rotates faster than this multiple of its median speed, times the unevenness that the end speeds cause
 // in an even rotation.
 constexpr double largestUnevenness = 4;
@@ -66,7 +66,7 @@ void checkSweep(const std::string& what, Sequence& sequence) {
                        << s.growth);
   CAPTURE(s.stepAt);
   CAPTURE(s.turnAt);
-  CHECK(s.zoomedStep <= std::max(leastStep, 3 * s.step * s.zoomedSpacing / s.spacing));
+  CHECK(s.zoomedStep <= std::max(minStep, 3 * s.step * s.zoomedSpacing / s.spacing));
   CHECK(s.inside <= largestUnevenness * inside);
   CHECK(s.margin <= largestUnevenness * margin);
   CHECK(s.growth <= largestGrowth * inside);  // coarse samples exaggerate end speeds of 4; a corner has 32

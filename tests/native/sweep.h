@@ -179,7 +179,7 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
   Sweep found;
   found.spacing = 1.0 / perRange;
   Step<Positions> farthest;
-  Step<std::vector<Quaternion>> mostTurned;
+  Step<std::vector<Quaternion>> largestTurn;
   std::vector<double> turns;
   Positions before = shapeAt(sequence, timeOf(-margin)), beforeThat;
   std::vector<Quaternion> patchesBefore = patchesAt(sequence, timeOf(-margin));
@@ -192,7 +192,7 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
       found.step = step, found.stepAt = (i - 0.5) / perRange, farthest = {timeOf(i - 1), timeOf(i), before, now};
     if (turn > found.turn)
       found.turn = turn, found.turnAt = (i - 0.5) / perRange,
-      mostTurned = {timeOf(i - 1), timeOf(i), patchesBefore, patchesNow};
+      largestTurn = {timeOf(i - 1), timeOf(i), patchesBefore, patchesNow};
     if (!beforeThat.empty())
       if (const double d = secondDifference(beforeThat, before, now); d > largestBend)
         largestBend = d, bendAt = timeOf(i - 1);
@@ -206,7 +206,7 @@ inline Sweep sweep(Sequence& sequence, const Density& density = sweepDensity()) 
   }
   if (found.turn > 0) {
     const auto turned =
-        zoomed(std::move(mostTurned), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
+        zoomed(std::move(largestTurn), density, [&](double t) { return patchesAt(sequence, t); }, patchTurn);
     found.zoomedStep =
         std::max(found.zoomedStep, vertexStep(shapeAt(sequence, turned.from), shapeAt(sequence, turned.to)));
     found.zoomedSpacing = (turned.to - turned.from) / range;

@@ -36,7 +36,7 @@ TEST_CASE("URIs in files lead to a given file or are refused, as in the shared c
     std::vector<NamedBytes> files;
     for (const std::string& name : names)
       files.push_back({name, {reinterpret_cast<const std::uint8_t*>(name.data()), name.size()}});
-    const auto found = resolveUri(uri, from, GivenFiles(files), "a.gltf");
+    const auto found = resolveUri(uri, from, SourceFiles(files), "a.gltf");
     const std::string kind = one.value("is", "");
     CHECK(found.ok() == kind.empty());
     if (found.ok() && kind.empty()) {

@@ -23,12 +23,12 @@ type Point = [number, number, number];
 describe.skipIf(!python)('poses written by Blender', () => {
   const folder = mkdtempSync(path.join(tmpdir(), 'shapespline-blender-'));
   const engine = testEngine();
-  let truth: Record<string, Point[][]> = {};
+  let reference: Record<string, Point[][]> = {};
 
   beforeAll(() => {
     const made = spawnSync(python!, [script, folder], { encoding: 'utf8' });
     expect(made.stdout, made.stderr).toMatch(/written/);
-    truth = JSON.parse(readFileSync(path.join(folder, 'truth.json'), 'utf8')) as typeof truth;
+    reference = JSON.parse(readFileSync(path.join(folder, 'truth.json'), 'utf8')) as typeof reference;
   }, 600_000);
   afterAll(() => rmSync(folder, { recursive: true, force: true }));
 
@@ -69,7 +69,7 @@ describe.skipIf(!python)('poses written by Blender', () => {
     const keys = await keysOf(pattern);
     expect(keys.info.times).toHaveLength(3);
     expect(warnings(keys)).not.toContain('split-vertices');
-    expect(distance(keys, truth[name]!)).toBeLessThan(1e-6);
+    expect(distance(keys, reference[name]!)).toBeLessThan(1e-6);
     const sequence = await engine.createSequence(keys);
     const frame = await sequence.evaluate(0.5);
     expect(frame!.positions.every(Number.isFinite)).toBe(true);
@@ -80,7 +80,7 @@ describe.skipIf(!python)('poses written by Blender', () => {
     expect(warnings(await keysOf(/^zup-\d.ply$/))).toContain('z-up');
     const standing = await keysOf(/^zup-\d.ply$/, { up: 'z' });
     expect(warnings(standing)).not.toContain('z-up');
-    expect(distance(standing, truth['zup']!)).toBeLessThan(1e-6);
+    expect(distance(standing, reference['zup']!)).toBeLessThan(1e-6);
   });
 
   it('a rig that was not applied: the warning states the reason, and that the bones are at rest', async () => {
@@ -97,7 +97,8 @@ describe.skipIf(!python)('poses written by Blender', () => {
     const { start, end } = still.info.animations[0]!;
     const keys = await keysOf(/^animated-\d.glb$/, { sample: [start, (start + end) / 2, end] });
     expect(warnings(keys)).toEqual(['repeated-animation']);
-    expect(distance(keys, truth['animated']!)).toBeLessThan(1e-5); // weights in glTF are float32 and scaled to sum to 1
+    // Weights in glTF are float32 and scaled to sum to 1.
+    expect(distance(keys, reference['animated']!)).toBeLessThan(1e-5);
   });
 
   it.each([
@@ -109,12 +110,12 @@ describe.skipIf(!python)('poses written by Blender', () => {
     expect([...all.info.objects].sort()).toEqual([...objects].sort());
     const keys = await keysOf(pattern, { objects: [bar] });
     expect(keys.info.report.components).toBe(1);
-    expect(distance(keys, truth[name]!)).toBeLessThan(1e-6);
+    expect(distance(keys, reference[name]!)).toBeLessThan(1e-6);
   });
 
   it.each(['pc2', 'mdd'])('%s with its OBJ, with any axes', async (kind) => {
     const keys = await keysOf(new RegExp(`^cache\\.(obj|mtl|${kind})$`), { sample: [0, 0.5, 1] });
-    const poses = [0, 12, 24].map((frame) => truth['cache']![frame]!);
+    const poses = [0, 12, 24].map((frame) => reference['cache']![frame]!);
     // OBJ has six decimals.
     expect(distance(keys, poses)).toBeLessThan(1e-6);
   });

@@ -8,7 +8,7 @@ import numpy as np
 from blender_script import answer, arguments
 
 STEPS = 3
-LEAST_AGREEMENT = 1e-5
+MIN_AGREEMENT = 1e-5
 
 
 def spline_weights(times, t):
@@ -150,7 +150,7 @@ class Shape:
         differences = [[self.rotation[k][f].T @ self.rotation[k][g] for f, g in self.pairs] for k in keys]
         steps = [[log(a.T @ b) for a, b in zip(differences[k], differences[k + 1])] for k in keys[:-1]]
         furthest = np.max([[np.linalg.norm(v) for v in step] for step in steps], axis=0)
-        agreement = LEAST_AGREEMENT + ((1 + np.cos(np.minimum(furthest, np.pi))) / 2) ** 6
+        agreement = MIN_AGREEMENT + ((1 + np.cos(np.minimum(furthest, np.pi))) / 2) ** 6
         weight = [(self.area[f] + self.area[g]) / 4 * a for (f, g), a in zip(self.pairs, agreement)]
         return [self.improve(t, start, differences[0], steps, weight) for t, start in zip(times, starts)]
 

@@ -11,7 +11,7 @@ import numpy as np
 from blender_script import answer, arguments
 
 BENDING = 1e-4
-MOST_SLENDER = 10
+MAX_SLENDERNESS = 10
 
 
 class Shell:
@@ -31,7 +31,7 @@ class Shell:
             lengths.append(share / squared)
             if len(left) == len(right) == 1:
                 self.hinges.append((i, j, left[0], right[0]))
-                angles.append(BENDING * whole * min(squared / share, MOST_SLENDER))
+                angles.append(BENDING * whole * min(squared / share, MAX_SLENDERNESS))
         self.weights = np.array(lengths + angles)
         self.edges, self.hinges = np.array(self.edges), np.array(self.hinges)
 

@@ -15,8 +15,8 @@ describe('the table of commands', () => {
   });
 
   it('has a line in the help for each key', () => {
-    const untold = actions.filter(({ keys = [], shown, does }) => keys.length > 0 && !(shown && does));
-    expect(untold).toEqual([]);
+    const undescribed = actions.filter(({ keys = [], shown, does }) => keys.length > 0 && !(shown && does));
+    expect(undescribed).toEqual([]);
   });
 
   it('keeps commands of different files apart', async () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { AnalysisCache } from '../../web/app/analysis/analysis-cache.ts';
 import { analysisInput, relativeToFirstKey } from '../../web/app/analysis/analysis.ts';
-import { computeShapePlanes, mostSpeeds } from '../../web/app/analysis/shape-plane.ts';
+import { computeShapePlanes, maxSpeeds } from '../../web/app/analysis/shape-plane.ts';
 import type { CallOptions } from '../../web/engine/api/api.ts';
 import { untilAborted } from '../../web/engine/api/errors.ts';
 import type { RunningMotion } from '../../web/playback/frame-set.ts';
@@ -189,9 +189,9 @@ describe('shape planes', () => {
   it('determine the offered speeds from the distances of the tangent poses to their keys', async () => {
     const plane = { ...(await running('lri', []).sequence.shapePlane([])), tangents: [1.2, 0.6, 3, 9] };
     const towards = { start: 'shape', end: 'shape' } as const;
-    expect(mostSpeeds(plane, towards)).toEqual({ start: 20, end: 4 });
-    expect(mostSpeeds(plane, { start: 'neighbour', end: 'shape' })).toEqual({ start: 4, end: 5 });
-    expect(mostSpeeds({ ...plane, tangents: [] }, towards)).toEqual({ start: 4, end: 4 });
-    expect(mostSpeeds(plane, null)).toEqual({ start: 4, end: 4 });
+    expect(maxSpeeds(plane, towards)).toEqual({ start: 20, end: 4 });
+    expect(maxSpeeds(plane, { start: 'neighbour', end: 'shape' })).toEqual({ start: 4, end: 5 });
+    expect(maxSpeeds({ ...plane, tangents: [] }, towards)).toEqual({ start: 4, end: 4 });
+    expect(maxSpeeds(plane, null)).toEqual({ start: 4, end: 4 });
   });
 });

@@ -11,7 +11,7 @@ import { sharingVertices } from '../bench/old-layout.ts';
 import { quantile, spread } from '../bench/quantile.ts';
 import { sweptParts } from '../bench/sweep.ts';
 import { verdict, type Target } from '../bench/targets.ts';
-import { aligned, Sliding, walkedOn } from '../bench/truth.ts';
+import { aligned, Sliding, walkedOn } from '../bench/reference-errors.ts';
 import { meshGlb } from '../engine/support/glb.ts';
 import { bar, bent } from '../engine/support/shapes.ts';
 

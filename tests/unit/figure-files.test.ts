@@ -1,7 +1,7 @@
 /** The numbers of a figure, and the labels of its link. */
 import { expect, it } from 'vitest';
 import { chartNumbers } from '../../web/app/panels/chart-numbers.ts';
-import { briefly } from '../../web/app/panels/figure-files.ts';
+import { thinnedRows } from '../../web/app/panels/figure-files.ts';
 import { plainColour } from '../../web/plots/plot-files.ts';
 import { readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
@@ -32,7 +32,7 @@ it('numbers of a chart with a choice of measures name the measure', () => {
 
 it('about two dozen rows are shown, including the keys', () => {
   const keep = [times[1]!, times[95]!];
-  const read = briefly({ names: ['Time'], rows: times.map((t) => [t]), keep }).map(([t]) => t);
+  const read = thinnedRows({ names: ['Time'], rows: times.map((t) => [t]), keep }).map(([t]) => t);
   expect(read.length).toBeLessThanOrEqual(27);
   expect(read).toEqual(expect.arrayContaining(keep));
   expect(read).toEqual([...read].sort((a, b) => a! - b!));

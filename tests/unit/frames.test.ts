@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import {
   formatMoment,
-  heldTime,
+  frameStartTime,
   loopRange,
   nearestFrameTime,
   ownRate,
@@ -16,12 +16,12 @@ const range = [0, 1] as const;
 
 describe('whole frames', () => {
   it('are held until the next one begins, and are never before the start', () => {
-    expect(heldTime(0.49, null, 0)).toBe(0.49);
-    expect(heldTime(0.49, 10, 0)).toBe(0.4);
-    expect(heldTime(0.5, 10, 0)).toBe(0.5);
-    expect(heldTime(0.3, 10, 0)).toBe(0.3); // 0.3 * 10 is slightly less than 3
-    expect(heldTime(0.26, 10, 0.25)).toBe(0.25);
-    expect(heldTime(-0.01, 10, -1)).toBe(-0.1);
+    expect(frameStartTime(0.49, null, 0)).toBe(0.49);
+    expect(frameStartTime(0.49, 10, 0)).toBe(0.4);
+    expect(frameStartTime(0.5, 10, 0)).toBe(0.5);
+    expect(frameStartTime(0.3, 10, 0)).toBe(0.3); // 0.3 * 10 is slightly less than 3
+    expect(frameStartTime(0.26, 10, 0.25)).toBe(0.25);
+    expect(frameStartTime(-0.01, 10, -1)).toBe(-0.1);
   });
 
   it('are counted without being listed', () => {

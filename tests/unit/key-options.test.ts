@@ -21,7 +21,7 @@ const initial = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b/c', 0.5), keyRef(2, 'c
 
 describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
   const option: NumberOption & { default: number } = PER_KEY[name];
-  const value = (option.least ?? 0) + 0.125;
+  const value = (option.min ?? 0) + 0.125;
   const list = [option.default, value, option.default];
   const doc = setShaping(initial, name, 1, value);
 
@@ -49,7 +49,7 @@ describe.each(SHAPING_NUMBERS)('%s of a key', (name) => {
 
   it('is refused if it is not a number, or out of range', () => {
     expect(() => checkSequenceOptions({ [name]: ['x'] })).toThrow(`'${name}'`);
-    if (option.most !== undefined)
-      expect(() => checkSequenceOptions({ [name]: [option.most! + 1] })).toThrow(`'${name}'`);
+    if (option.max !== undefined)
+      expect(() => checkSequenceOptions({ [name]: [option.max! + 1] })).toThrow(`'${name}'`);
   });
 });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { OpenHistory } from '../../web/app/kept/open-history.ts';
-import type { Snapshot } from '../../web/app/kept/snapshot.ts';
+import { OpenHistory } from '../../web/app/storage/open-history.ts';
+import type { Snapshot } from '../../web/app/storage/snapshot.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 
 const snapshot = (name: string, bytes = 1): Snapshot => ({

@@ -80,12 +80,12 @@ describe('a request', () => {
   });
 
   it('of the open files keeps their orientation, with the requested options', () => {
-    const lying = { up: 'y', unit: 2 };
+    const orientation = { up: 'y', unit: 2 };
     expect(momentsRequest(present, 0, [1, 3])).toMatchObject({
-      ...{ options: { ...lying, animation: 0, sample: [1, 3] }, stays: true, project: 'mine' },
+      ...{ options: { ...orientation, animation: 0, sample: [1, 3] }, stays: true, project: 'mine' },
     });
     const animation = animationRequest(present);
-    expect(animation.options).toEqual({ ...lying, animation: 0 });
+    expect(animation.options).toEqual({ ...orientation, animation: 0 });
     expect([animation.stays, animation.begins]).toEqual([true, 'files']);
     const objects = objectsRequest(present, ['arm']);
     expect(objects.options).toEqual({ ...present.options, objects: ['arm'] });

@@ -2,8 +2,8 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
 import type { ViewState } from '../../web/app/view/view-state.ts';
 import { createViewState } from '../../web/app/view/view-state.ts';
-import { createWays } from '../../web/app/ways.ts';
-import type { WaysParts } from '../../web/app/ways.ts';
+import { createIoControllers } from '../../web/app/io-controllers.ts';
+import type { IoControllersParts } from '../../web/app/io-controllers.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import type { TimedShapes } from '../../web/study/reference-motion.ts';
@@ -26,7 +26,7 @@ async function page(animation = 0) {
   const viewState = createViewState(() => undefined);
   const shown = { original: null as object | null };
   const said: string[] = [];
-  const { showOriginal } = createWays({
+  const { showOriginal } = createIoControllers({
     session: {
       store: createStore(EMPTY_STATE),
       workspace: { info: { animation, faces: Uint32Array.of(0, 1, 2) } },
@@ -40,7 +40,7 @@ async function page(animation = 0) {
     feedback: { say: (text: string) => said.push(text) },
     viewState,
     onAnimation: () => undefined,
-  } as unknown as WaysParts);
+  } as unknown as IoControllersParts);
   /** Ticks or unticks the box. */
   const tick = async (to: boolean): Promise<void> => {
     void showOriginal(to);

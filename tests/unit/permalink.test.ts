@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { applyPermalink, leftOut, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
+import { applyPermalink, ignoredValues, readPermalink, writePermalink } from '../../web/app/sources/permalink.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, DEFAULT_VIEW, EMPTY_STATE } from '../../web/model/state.ts';
 import type { AppState, Doc } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -148,12 +148,12 @@ describe('permalinks', () => {
     const doc = applyPermalink(initial, link);
     expect(doc).toEqual(initial);
     expect([link.time, link.speed, link.between, link.fps, link.view]).toEqual([null, null, null, null, {}]);
-    expect(leftOut(link, doc)).toBe(`The link has a value that cannot be used and was ignored: ${name}.`);
+    expect(ignoredValues(link, doc)).toBe(`The link has a value that cannot be used and was ignored: ${name}.`);
   });
 
   it('that are valid are read completely', () => {
     const link = readPermalink(writePermalink(state, initial)!)!;
-    expect(leftOut(link, applyPermalink(initial, link))).toBeNull();
+    expect(ignoredValues(link, applyPermalink(initial, link))).toBeNull();
   });
 
   it('refuse unordered or repeated key times', () => {

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import type { PathKey, Pin } from '../../web/engine/api/types.ts';
 import { MOTION } from '../../web/engine/api/option-table.ts';
-import { wrongWith } from '../../web/engine/api/options.ts';
+import { validationError } from '../../web/engine/api/options.ts';
 import {
   changedPin,
   moveAt,
@@ -87,15 +87,15 @@ describe('a list of pins', () => {
   });
 
   it('is checked before a request to the core', () => {
-    const wrong = (one: object): string | null => wrongWith(MOTION.pins, [one]);
+    const wrong = (one: object): string | null => validationError(MOTION.pins, [one]);
     expect(wrong({ vertex: 3, radius: 0.1, stay: 0, path: PATH })).toBeNull();
     expect(wrong({ vertex: -1, radius: 0.1 })).toContain('vertex');
     expect(wrong({ vertex: 3, radius: 2 })).toContain('radius');
     expect(wrong({ vertex: 3, radius: 0.1, stay: 0.5 })).toContain('stay');
     expect(wrong({ vertex: 3, radius: 0.1, path: [...PATH].reverse() })).toContain('increasing');
     expect(wrong({ vertex: 3, radius: 0.1, firm: true })).toContain("'firm'");
-    expect(wrongWith(MOTION.pins, 'all')).toContain('array');
-    expect(wrongWith(MOTION.pins, new Array(101).fill({ vertex: 0, radius: 0 }))).toContain('100');
+    expect(validationError(MOTION.pins, 'all')).toContain('array');
+    expect(validationError(MOTION.pins, new Array(101).fill({ vertex: 0, radius: 0 }))).toContain('100');
   });
 
   it('is converted from poses in the document to keys in the engine', () => {

@@ -49,12 +49,12 @@ describe('documents name what is there', () => {
 
 /** The main README, and the one shown by npm. */
 const FOR_USERS = ['README.md', 'web/package/README.md'];
-const MOST_LINES = 60;
+const MAX_LINES = 60;
 
-describe(`READMEs have at most ${MOST_LINES} lines, generated tables aside`, () => {
+describe(`READMEs have at most ${MAX_LINES} lines, generated tables aside`, () => {
   it.each(files.filter((file) => file.endsWith('/README.md') && !FOR_USERS.includes(file)))('%s', (readme) => {
     // Generated tables are between two equal markers.
     const text = readFileSync(path.join(root, readme), 'utf8').replace(/(<!-- \w+ -->)[\s\S]*?\1/g, '');
-    expect(text.trimEnd().split('\n').length).toBeLessThanOrEqual(MOST_LINES);
+    expect(text.trimEnd().split('\n').length).toBeLessThanOrEqual(MAX_LINES);
   });
 });

@@ -1,7 +1,7 @@
 /** When the user's files are stored between visits, tested with storage in memory. */
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import type { Changing, StoredProject } from '../../web/app/kept/project-shelf.ts';
-import { RememberedFiles } from '../../web/app/kept/remembered-files.ts';
+import type { Changing, StoredProject } from '../../web/app/storage/project-shelf.ts';
+import { RememberedFiles } from '../../web/app/storage/remembered-files.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Workspace } from '../../web/app/session/workspace.ts';
 import type { ImportOptions } from '../../web/engine/api/types.ts';

@@ -6,12 +6,12 @@ import { fetchSample, fetchSamples } from '../../web/app/sources/samples.ts';
 import type { Sample } from '../../web/app/sources/samples.ts';
 
 const folder = path.resolve(import.meta.dirname, '../../public/samples');
-const MOST_BYTES = 120_000;
+const MAX_BYTES = 120_000;
 
 it('no sample file is larger than necessary', () => {
   const models = readdirSync(folder).filter((name) => name.endsWith('.glb'));
   expect(models.length).toBeGreaterThan(0);
-  const long = models.filter((name) => gzipSync(readFileSync(path.join(folder, name))).length > MOST_BYTES);
+  const long = models.filter((name) => gzipSync(readFileSync(path.join(folder, name))).length > MAX_BYTES);
   expect(long).toEqual([]);
 });
 

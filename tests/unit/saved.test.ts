@@ -7,7 +7,7 @@ import { goneOptions, readOptions, writeProject } from '../../web/engine/wire/pr
 import { ENCODING, MOTION, PER_KEY } from '../../web/engine/api/option-table.ts';
 import { SEQUENCE_DEFAULTS, type KeysInfo } from '../../web/engine/api/types.ts';
 import { goneIn, goneSentence, withoutGone } from '../../web/engine/api/gone-options.ts';
-import { keptDoc } from '../../web/model/kept-document.ts';
+import { storedDocument } from '../../web/model/stored-document.ts';
 import { turnsOf } from '../../web/model/shaping.ts';
 import { DEFAULT_MOTION, EMPTY_STATE } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
@@ -65,7 +65,7 @@ describe('links and documents of older versions', () => {
     expect([project('absolute'), project('off'), goneOptions('no JSON')]).toEqual([['ownPaths'], [], []]);
     expect(goneSentence(project('absolute'))).toMatch(/own paths of faces/);
     const stored = { keys: [], motion: { ...DEFAULT_MOTION, ownPaths: 'root' } };
-    expect(keptDoc(stored).motion).toEqual(DEFAULT_MOTION);
+    expect(storedDocument(stored).motion).toEqual(DEFAULT_MOTION);
     expect(goneIn(stored.motion)).toEqual(['ownPaths']);
   });
 
@@ -98,9 +98,9 @@ describe('links and documents of older versions', () => {
   );
 
   it.each(saved.documents)('open as stored by a browser: $document', ({ document, ...expected }) => {
-    const doc = keptDoc(document as Parameters<typeof keptDoc>[0]);
+    const doc = storedDocument(document as Parameters<typeof storedDocument>[0]);
     expect(spelt(doc)).toEqual(withDefaults(expected));
     expect(Object.keys(doc)).toEqual(['keys', 'motion', 'encoding']);
-    expect(keptDoc(JSON.parse(JSON.stringify(doc)) as Doc)).toEqual(doc);
+    expect(storedDocument(JSON.parse(JSON.stringify(doc)) as Doc)).toEqual(doc);
   });
 });

@@ -1,6 +1,6 @@
 /** Storage of a browser between visits: only complete records are opened. */
 import { expect, it } from 'vitest';
-import { areFiles, readRecord } from '../../web/app/kept/project-shelf.ts';
+import { areFiles, readRecord } from '../../web/app/storage/project-shelf.ts';
 import { EMPTY_STATE } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 

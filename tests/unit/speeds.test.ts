@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { formatSpeed, mostSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
+import { formatSpeed, maxSpeed, offeredSpeed, steppedSpeed } from '../../web/model/speeds.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION, endTangents } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { keyRef } from './documents.ts';
@@ -20,8 +20,8 @@ describe('Hermite speeds', () => {
   });
 
   it('have a limit that depends on the distance of the tangent pose', () => {
-    expect([null, 3, 2, 0.4, 0.01, 0].map((shape) => mostSpeed(2, shape))).toEqual([4, 4, 4, 20, 40, 40]);
-    expect(mostSpeed(0, 0)).toBe(4);
+    expect([null, 3, 2, 0.4, 0.01, 0].map((shape) => maxSpeed(2, shape))).toEqual([4, 4, 4, 20, 40, 40]);
+    expect(maxSpeed(0, 0)).toBe(4);
     expect([17.02, 99].map((wanted) => offeredSpeed(wanted, 20))).toEqual([17, 20]);
     expect([steppedSpeed(19.95, 1, 20), steppedSpeed(19.95, 10, 20)]).toEqual([20, 20]);
   });

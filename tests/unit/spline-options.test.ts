@@ -3,7 +3,7 @@ import { expect, it } from 'vitest';
 import { buildKey, sequencePlan } from '../../web/app/session/sequence-plan.ts';
 import { motionFor } from '../../web/engine/api/method-options.ts';
 import { setMotion, setTurns } from '../../web/model/edits.ts';
-import { departs, whyNoLengths } from '../../web/model/spline-options.ts';
+import { departsFromPaper, keepLengthsConflict } from '../../web/model/spline-options.ts';
 import { DEFAULT_VIEW } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
@@ -24,7 +24,7 @@ it('lengths can be kept with natural ends, without holding and added turns', () 
     [setMotion(kept, { pins: [{ vertex: 0, radius: 0.1 }] }), 'held'],
     [setTurns(kept, 1, { turns: 1 }), 'turns'],
   ] as const) {
-    expect(whyNoLengths(doc)).toBe(why);
+    expect(keepLengthsConflict(doc)).toBe(why);
     expect(lengthsOf(doc)).toBe(0);
     // The choice stays in the document.
     expect(doc.motion.keepLengths).toBe(2);
@@ -32,8 +32,8 @@ it('lengths can be kept with natural ends, without holding and added turns', () 
 });
 
 it('a motion with kept lengths is compared with the published one', () => {
-  expect(departs(plain)).toBe(false);
-  expect(departs(kept)).toBe(true);
+  expect(departsFromPaper(plain)).toBe(false);
+  expect(departsFromPaper(kept)).toBe(true);
   const plan = sequencePlan(kept, { ...DEFAULT_VIEW, compare: ['lri', 'geodesic'] });
   expect(plan.variants.map(({ plain: published }) => published)).toEqual([undefined, true, undefined]);
   for (const variant of plan.variants.slice(1))

@@ -4,7 +4,7 @@ import { PosePool } from '../../web/app/session/pose-pool.ts';
 import { ofFiles, restored } from '../../web/app/sources/start-state.ts';
 import { KeyArrays } from '../../web/engine/caller/keyframes.ts';
 import type { KeyData } from '../../web/engine/wire/protocol.ts';
-import type { StoredProject } from '../../web/app/kept/project-shelf.ts';
+import type { StoredProject } from '../../web/app/storage/project-shelf.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
 const animations = [

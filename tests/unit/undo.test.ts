@@ -1,7 +1,7 @@
 /** Undo and redo after cancelled and refused edits, and while files are read. */
 import { expect, it, vi } from 'vitest';
 import type { Pin } from '../../web/engine/api/types.ts';
-import { ServedDocument } from '../../web/app/session/served-document.ts';
+import { AppliedDocument } from '../../web/app/session/applied-document.ts';
 import { createStore } from '../../web/app/session/store.ts';
 import type { Opener } from '../../web/app/sources/opener.ts';
 import { createUndo } from '../../web/app/sources/undo.ts';
@@ -16,13 +16,13 @@ const storeOf = () => createStore({ ...EMPTY_STATE, doc });
 
 it('after two cancelled edits, undo means the edit before them', () => {
   const store = storeOf();
-  const served = new ServedDocument(store);
+  const applied = new AppliedDocument(store);
   store.edit('method', (before) => setMotion(before, { method: 'linear' }));
-  served.note(store.get());
+  applied.note(store.get());
   const made = store.get().doc;
   store.edit('patches', (before) => setEncoding(before, { patches: 500 }));
   store.edit('stretch', (before) => setEncoding(before, { stretch: 'log' }));
-  served.goBack();
+  applied.goBack();
   expect([store.get().doc, store.undoLabel(), store.redoLabel()]).toEqual([made, 'method', null]);
   store.undo();
   expect(store.get().doc).toBe(doc);
@@ -30,13 +30,13 @@ it('after two cancelled edits, undo means the edit before them', () => {
 
 it('a refused edit leaves no step, and redo stays', () => {
   const store = storeOf();
-  const served = new ServedDocument(store);
+  const applied = new AppliedDocument(store);
   store.edit('rename', (before) => renameKey(before, 0, 'x'));
-  served.note(store.get());
+  applied.note(store.get());
   store.undo();
-  served.note(store.get());
+  applied.note(store.get());
   store.edit('period', (before) => setMotion(before, { period: 0.1 }));
-  served.goBack();
+  applied.goBack();
   expect([store.get().doc, store.undoLabel(), store.redoLabel()]).toEqual([doc, null, 'rename']);
   store.redo();
   expect(store.get().doc.keys[0]!.name).toBe('x');
@@ -44,11 +44,11 @@ it('a refused edit leaves no step, and redo stays', () => {
 
 it('a drag whose first value is refused does not join an earlier step', () => {
   const store = storeOf();
-  const served = new ServedDocument(store);
+  const applied = new AppliedDocument(store);
   const drag = (period: number): void => store.edit('period', (one) => setMotion(one, { period }), 'period');
-  served.note(store.get());
+  applied.note(store.get());
   drag(0.1);
-  served.goBack();
+  applied.goBack();
   drag(2);
   store.undo();
   expect(store.get().doc.motion.period).toBeNull();
@@ -129,11 +129,11 @@ it('further undos and redos wait until the files are read, unless that is cancel
 
 it('a cancelled edit does not bring an undone turn of the files back', async () => {
   const { store, undo, end } = turned();
-  const served = new ServedDocument(store);
-  served.note(store.get());
+  const applied = new AppliedDocument(store);
+  applied.note(store.get());
   undo.undo();
   await end();
   store.edit('patches', (before) => setEncoding(before, { patches: 500 }));
-  served.goBack();
+  applied.goBack();
   expect([store.undoLabel(), store.redoLabel()]).toEqual([null, 'turn']);
 });

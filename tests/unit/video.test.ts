@@ -1,37 +1,37 @@
 import { describe, expect, it } from 'vitest';
 import { commonBox, drawnBox } from '../../web/app/export/crop.ts';
-import { meantTimes } from '../../web/app/export/meant-times.ts';
-import { thereAndBack } from '../../web/engine/caller/bounce.ts';
+import { frameTimestamps } from '../../web/app/export/frame-timestamps.ts';
+import { pingPong } from '../../web/engine/caller/bounce.ts';
 
 describe('a recorded video', () => {
   it('gets the intended times, in the display order of the frames', () => {
     // The recorded times are slow, uneven, and not in display order.
-    const times = meantTimes([0.1, 0.9, 0.3], 3, 30);
+    const times = frameTimestamps([0.1, 0.9, 0.3], 3, 30);
     expect(times.map(({ timestamp }) => timestamp)).toEqual([0, 2 / 30, 1 / 30]);
     for (const { duration } of times) expect(duration).toBeCloseTo(1 / 30, 12);
   });
 
   it('fills the time where frames were left out', () => {
-    const times = meantTimes([0, 1, 2], 4, 4);
+    const times = frameTimestamps([0, 1, 2], 4, 4);
     expect(times.map(({ timestamp }) => timestamp)).toEqual([0, 1 / 3, 2 / 3]);
     expect(times.reduce((sum, { duration }) => sum + duration, 0)).toBeCloseTo(1, 12);
-    expect(meantTimes([0.5], 3, 30)).toEqual([{ timestamp: 0, duration: 0.1 }]);
+    expect(frameTimestamps([0.5], 3, 30)).toEqual([{ timestamp: 0, duration: 0.1 }]);
   });
 });
 
 describe('an animation that plays back and forth', () => {
   it('shows each shape twice except the last', () => {
-    const { seconds, weights } = thereAndBack({ seconds: [0, 1, 3], weights: null }, 3);
+    const { seconds, weights } = pingPong({ seconds: [0, 1, 3], weights: null }, 3);
     expect(seconds).toEqual([0, 1, 3, 5, 6]);
     // The third target is a still, which is stored but never shown.
     expect([...weights!]).toEqual([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0]);
   });
 
   it('keeps its own weights, and is refused if it would not open again', () => {
-    const { weights } = thereAndBack({ seconds: [0, 1], weights: Float32Array.of(1, 2, 3, 4) }, 2);
+    const { weights } = pingPong({ seconds: [0, 1], weights: Float32Array.of(1, 2, 3, 4) }, 2);
     expect([...weights!]).toEqual([1, 2, 3, 4, 1, 2]);
     const many = Array.from({ length: 3000 }, (_, i) => i);
-    expect(() => thereAndBack({ seconds: many, weights: null }, 2999)).toThrow(/forwards only/);
+    expect(() => pingPong({ seconds: many, weights: null }, 2999)).toThrow(/forwards only/);
   });
 });
 

@@ -13,7 +13,7 @@ namespace {
 // Up to this distance in diagonals, single precision rounds by a millionth of the diagonal.
 constexpr double near = 16;
 // Squares and products of larger numbers overflow single precision.
-constexpr double mostCoordinate = 1e18;
+constexpr double maxCoordinate = 1e18;
 // Share of a key's diagonal. Smaller roundings are invisible.
 constexpr double visibleRounding = 1e-4;
 
@@ -52,7 +52,7 @@ Error tooLarge(const Key& key, int index, int vertex) {
   return {ErrorCode::TooLarge,
           key.name + " (key " + std::to_string(index + 1) + "): vertex " + grouped(vertex) + " is at (" +
               shortNumber(key.positions[vertex].x()) + ", " + shortNumber(key.positions[vertex].y()) + ", " +
-              shortNumber(key.positions[vertex].z()) + "). Coordinates may be at most " + shortNumber(mostCoordinate) +
+              shortNumber(key.positions[vertex].z()) + "). Coordinates may be at most " + shortNumber(maxCoordinate) +
               ". Scale the mesh down, or give another unit if the format has none.",
           index, vertex};
 }
@@ -61,7 +61,7 @@ Status checkReach(const std::vector<Key>& keys) {
   for (std::size_t j = 0; j < keys.size(); ++j) {
     const Positions& positions = keys[j].positions;
     for (std::size_t v = 0; v < positions.size(); ++v)
-      if (std::isfinite(positions[v].sum()) && positions[v].cwiseAbs().maxCoeff() > mostCoordinate)
+      if (std::isfinite(positions[v].sum()) && positions[v].cwiseAbs().maxCoeff() > maxCoordinate)
         return tooLarge(keys[j], static_cast<int>(j), static_cast<int>(v));
   }
   return {};

@@ -68,7 +68,7 @@ AnimationInfo infoOf(const FrameSource& source) {
 Status sampleFrames(const FrameSource& source, const ImportOptions& options, const std::string& where, Import& import,
                     const StageProgress& progress) {
   if (Status known = checkAnimation(source, options, where); !known) return known;
-  const bool few = !options.sampleAsked && source.seconds.size() <= mostOwnKeys;
+  const bool few = !options.sampleAsked && source.seconds.size() <= maxOwnKeys;
   const bool own = options.sampleTimes.empty() && source.seconds.size() >= 2 && (few || options.everyFrame);
   const auto times = own ? Result<std::vector<double>>(source.seconds)
                          : sampleTimes(options, source.seconds.front(), source.seconds.back(),

@@ -65,14 +65,14 @@ void warnOfOthers(const std::vector<Error>& others, std::vector<Warning>& warnin
 }
 
 // The error for a single OBJ, PLY or OFF file. Errors in the file itself take precedence.
-Error onePoseOnly(const MeshFile& mesh, const GivenFiles& files, const ImportOptions& options) {
+Error onePoseOnly(const MeshFile& mesh, const SourceFiles& files, const ImportOptions& options) {
   const std::string where = placeName(*mesh.file, 0, 1);
   const auto pose = PoseReader{files, options}.read(mesh, where);
   if (!pose) return pose.error();
   return {ErrorCode::TooFewKeys, where + " has only one pose. Add one file for each further key."};
 }
 
-Result<Import> readCaches(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+Result<Import> readCaches(const std::vector<MeshFile>& meshes, const SourceFiles& files, const ImportOptions& options,
                           const StageProgress& progress) {
   if (meshes.size() == 1)
     return Error{ErrorCode::TooFewKeys,
@@ -93,7 +93,7 @@ bool showsActions(const Import& import) {
 }
 
 // Uses the animations' poses, one key each, if they differ. Poses added to a mesh come one at a time.
-Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, const GivenFiles& files,
+Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes, const SourceFiles& files,
                            const ImportOptions& options, const StageProgress& progress) {
   auto actions = importAnimations(meshes, files, options, progress);
   const bool useful = actions && actions->animation < 0 && actions->keyframes.keyCount() > 1 &&
@@ -101,10 +101,10 @@ Result<Import> orByActions(Import&& import, const std::vector<MeshFile>& meshes,
   return useful ? std::move(actions) : Result<Import>(std::move(import));
 }
 
-Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const SourceFiles& files, const ImportOptions& options,
                            const StageProgress& progress) {
   const auto series = numberedFiles(meshes);
-  const bool many = series && meshes.size() > mostOwnKeys && options.keyTimes.empty() && options.like.empty();
+  const bool many = series && meshes.size() > maxOwnKeys && options.keyTimes.empty() && options.like.empty();
   if (series && (many || options.animationAsked())) return importSeries(*series, files, options, progress);
   if (!options.animationAsked()) {
     auto import = importPoses(meshes, files, options, progress);
@@ -126,7 +126,7 @@ Result<Import> readSeveral(const std::vector<MeshFile>& meshes, const GivenFiles
 }
 
 // Animations in files without a mesh move the bones of the only file with a mesh.
-Result<Import> readWithMotions(const std::vector<MeshFile>& meshes, const GivenFiles& files,
+Result<Import> readWithMotions(const std::vector<MeshFile>& meshes, const SourceFiles& files,
                                const ImportOptions& options, const StageProgress& progress) {
   auto import = readSeveral(meshes, files, options, progress);
   if (import || !areAll(meshes, FileKind::Gltf)) return import;
@@ -167,7 +167,7 @@ Status checkLike(const ImportOptions& options) {
   return {};
 }
 
-Result<Import> readKeys(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+Result<Import> readKeys(const std::vector<MeshFile>& meshes, const SourceFiles& files, const ImportOptions& options,
                         const StageProgress& progress) {
   if (meshes.empty())
     return Error{ErrorCode::TooFewKeys, files.empty() ? "No files were given. Give at least two poses of one mesh."
@@ -218,7 +218,7 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   if (!found) return found.error();
   if (Status like = checkLike(options); !like) return like.error();
   const std::vector<MeshFile>& meshes = found->meshes;
-  auto read = readKeys(meshes, GivenFiles(files), options, progress);
+  auto read = readKeys(meshes, SourceFiles(files), options, progress);
   // The missing keys may be in skipped files.
   if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;

@@ -55,9 +55,9 @@ std::array<double, 2> flatAreas(const Positions& positions, const std::vector<Tr
   std::array<double, 2> areas{};
   for (const Triangle& f : faces) {
     const Vec3 &a = positions[f[0]], &b = positions[f[1]], &c = positions[f[2]];
-    const double least = std::min({a[axis], b[axis], c[axis]}), most = std::max({a[axis], b[axis], c[axis]});
-    if (most <= low + slack) areas[0] += (b - a).cross(c - a).norm() / 2;
-    if (least >= high - slack) areas[1] += (b - a).cross(c - a).norm() / 2;
+    const double min = std::min({a[axis], b[axis], c[axis]}), max = std::max({a[axis], b[axis], c[axis]});
+    if (max <= low + slack) areas[0] += (b - a).cross(c - a).norm() / 2;
+    if (min >= high - slack) areas[1] += (b - a).cross(c - a).norm() / 2;
   }
   return areas;
 }
@@ -89,17 +89,17 @@ Vec3 centreOfArea(const Positions& positions, const std::vector<Triangle>& faces
 double footing(const Positions& positions, const Vec3& centre, int axis) {
   constexpr int directions = 32;
   constexpr double feet = 0.05;  // share of the height
-  Vec3 least = positions[0], most = positions[0];
+  Vec3 min = positions[0], max = positions[0];
   for (const Vec3& p : positions) {
-    least = least.cwiseMin(p);
-    most = most.cwiseMax(p);
+    min = min.cwiseMin(p);
+    max = max.cwiseMax(p);
   }
-  const Vec3 extent = most - least;
+  const Vec3 extent = max - min;
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   std::array<double, directions> reach;
   reach.fill(-std::numeric_limits<double>::infinity());
   for (const Vec3& p : positions) {
-    if (p[axis] > least[axis] + feet * extent[axis]) continue;
+    if (p[axis] > min[axis] + feet * extent[axis]) continue;
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * std::numbers::pi * k / directions;
       reach[k] = std::max(reach[k], std::cos(angle) * (p[u] - centre[u]) + std::sin(angle) * (p[v] - centre[v]));
@@ -121,12 +121,12 @@ int standsRather(const Positions& positions, const std::vector<Triangle>& faces)
 bool isOnFloorOf(const Positions& positions, int axis, int other) {
   const Positions* one = &positions;
   const double near = 0.03 * boundingDiagonal({&one, 1});
-  double least = positions[0][axis], leastOther = positions[0][other];
+  double min = positions[0][axis], minOther = positions[0][other];
   for (const Vec3& p : positions) {
-    least = std::min(least, p[axis]);
-    leastOther = std::min(leastOther, p[other]);
+    min = std::min(min, p[axis]);
+    minOther = std::min(minOther, p[other]);
   }
-  return std::abs(least) <= near && std::abs(leastOther) > near;
+  return std::abs(min) <= near && std::abs(minOther) > near;
 }
 
 }  // namespace
@@ -182,15 +182,15 @@ bool allSame(const Keyframes& keyframes) {
 }
 
 void warnOfDistantKeys(Import& import) {
-  constexpr double mostTurning = 1.4;  // measured on captured animations; 1.73 for unrelated poses
-  constexpr double mostUneven = 0.01;
+  constexpr double maxTurning = 1.4;  // measured on captured animations; 1.73 for unrelated poses
+  constexpr double maxUnevenness = 0.01;
   const std::vector<Key>& keys = import.keyframes.keys;
   const std::size_t n = keys.size();
   if (import.animation < 0 || !import.project.empty() || n < 4) return;
   const double mean = (keys.back().time - keys.front().time) / static_cast<double>(n - 1);
   double first = 0, second = 0;
   for (std::size_t k = 0; k + 1 < n; ++k) {
-    if (std::abs(keys[k + 1].time - keys[k].time - mean) > mostUneven * mean) return;
+    if (std::abs(keys[k + 1].time - keys[k].time - mean) > maxUnevenness * mean) return;
     for (std::size_t v = 0; v < keys[k].positions.size(); ++v) {
       const Vec3 step = keys[k + 1].positions[v] - keys[k].positions[v];
       first += step.squaredNorm() / static_cast<double>(n - 1);
@@ -198,7 +198,7 @@ void warnOfDistantKeys(Import& import) {
       second += (step - keys[k].positions[v] + keys[k - 1].positions[v]).squaredNorm() / static_cast<double>(n - 2);
     }
   }
-  if (!(second > mostTurning * mostTurning * first)) return;
+  if (!(second > maxTurning * maxTurning * first)) return;
   import.warnings.push_back(
       {"keys-far-apart",
        "From key to key, the animation turns back more than it goes on, so a spline swings "
@@ -206,7 +206,7 @@ void warnOfDistantKeys(Import& import) {
        1});
 }
 
-Standing standingOf(const Keyframes& keyframes, bool flat) {
+UpAxisGuess guessUpAxis(const Keyframes& keyframes, bool flat) {
   int alongZ = 0, alongY = 0;
   bool onZ = true, onY = true;
   for (const Key& key : keyframes.keys) {
@@ -218,9 +218,9 @@ Standing standingOf(const Keyframes& keyframes, bool flat) {
     onY = onY && isOnFloorOf(key.positions, 1, 2);
   }
   flat = flat && !keyframes.keys.empty() && hasFlatBaseOnZ(keyframes.keys[0].positions, keyframes.faces);
-  if (onZ && (alongZ > 0 || flat) && alongY == 0) return Standing::AlongZ;
-  if (onY && alongY > 0 && alongZ == 0) return Standing::AlongY;
-  return flat || alongZ > alongY ? Standing::PerhapsAlongZ : Standing::Unknown;
+  if (onZ && (alongZ > 0 || flat) && alongY == 0) return UpAxisGuess::AlongZ;
+  if (onY && alongY > 0 && alongZ == 0) return UpAxisGuess::AlongY;
+  return flat || alongZ > alongY ? UpAxisGuess::PerhapsAlongZ : UpAxisGuess::Unknown;
 }
 
 Warning zUpWarning(const std::string& where, bool clearly) {

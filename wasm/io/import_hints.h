@@ -32,12 +32,12 @@ bool allSame(const Keyframes& keyframes);
 void warnOfDistantKeys(Import& import);
 
 /// The likely up axis of shapes that are imported as Y up.
-enum class Standing { AlongY, AlongZ, PerhapsAlongZ, Unknown };
+enum class UpAxisGuess { AlongY, AlongZ, PerhapsAlongZ, Unknown };
 
 /// AlongY, AlongZ: some pose would tip over along the other axis, no pose along this one, and all poses stand on this
 /// axis' floor only. PerhapsAlongZ: the first pose has a flat base along Z, or more poses would tip over along Y than
 /// along Z. `flat`: accept a flat base on the floor as proof; not for formats that are mostly Y up.
-Standing standingOf(const Keyframes& keyframes, bool flat);
+UpAxisGuess guessUpAxis(const Keyframes& keyframes, bool flat);
 
 /// Warning for files that do not state their up axis but appear to be Z up. `clearly`: certain, not just likely.
 Warning zUpWarning(const std::string& where, bool clearly);

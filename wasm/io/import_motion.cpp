@@ -59,7 +59,7 @@ Axes axesOf(const PointCache& cache, const Positions& mesh) {
 
 }  // namespace
 
-Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const GivenFiles& files, ImportOptions options,
+Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const SourceFiles& files, ImportOptions options,
                                 const StageProgress& progress) {
   options.oneKeyWillDo = true;
   std::optional<Import> out;
@@ -100,7 +100,7 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Given
   return std::move(*out);
 }
 
-Result<Import> importSeries(const NumberedFiles& series, const GivenFiles& files, const ImportOptions& options,
+Result<Import> importSeries(const NumberedFiles& series, const SourceFiles& files, const ImportOptions& options,
                             const StageProgress& progress) {
   const std::vector<MeshFile>& meshes = series.meshes;
   Import out;
@@ -144,7 +144,7 @@ Result<Import> importSeries(const NumberedFiles& series, const GivenFiles& files
   return out;
 }
 
-Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const GivenFiles& files,
+Result<Import> importCache(const MeshFile& mesh, const MeshFile& moves, const SourceFiles& files,
                            const ImportOptions& options, const StageProgress& progress) {
   const std::string where = placeName(*mesh.file, 0, 1), place = placeName(*moves.file, 0, 1);
   PoseReader reader{files, options};

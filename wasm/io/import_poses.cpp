@@ -76,7 +76,7 @@ int samePoses(const Import& import) {
 }
 
 // `common`: receives the shared objects if files with different meshes have different objects.
-Result<Import> readPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+Result<Import> readPoses(const std::vector<MeshFile>& meshes, const SourceFiles& files, const ImportOptions& options,
                          const StageProgress& progress, std::vector<std::string>& common, FileFacts& facts) {
   Import out;
   ImportOptions unfiltered = options;
@@ -175,17 +175,17 @@ void hintAtUpAxis(FileKind kind, bool writtenZUp, const ImportOptions& options, 
                   Import& import) {
   const bool obj = kind == FileKind::Obj, silent = obj || kind == FileKind::Ply || kind == FileKind::Off;
   if (!silent || options.zUp) return;
-  const Standing standing = standingOf(import.keyframes, !obj);
-  if (writtenZUp) import.warnings.push_back(blenderWarning(where, standing != Standing::AlongY));
-  else if (standing == Standing::AlongZ) import.warnings.push_back(zUpWarning(where, true));
-  else if (standing == Standing::PerhapsAlongZ && !obj) import.warnings.push_back(zUpWarning(where, false));
+  const UpAxisGuess upAxis = guessUpAxis(import.keyframes, !obj);
+  if (writtenZUp) import.warnings.push_back(blenderWarning(where, upAxis != UpAxisGuess::AlongY));
+  else if (upAxis == UpAxisGuess::AlongZ) import.warnings.push_back(zUpWarning(where, true));
+  else if (upAxis == UpAxisGuess::PerhapsAlongZ && !obj) import.warnings.push_back(zUpWarning(where, false));
 }
 
 void setTimesInSeconds(Keyframes& keyframes) {
   for (int j = 0; j < keyframes.keyCount(); ++j) keyframes.keys[j].time = j;
 }
 
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, const SourceFiles& files, const ImportOptions& options,
                            const StageProgress& progress) {
   std::vector<std::string> common;
   FileFacts facts;

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "io/base/given_files.h"
 #include "io/base/imported.h"
 #include "io/base/named_bytes.h"
+#include "io/base/source_files.h"
 #include "io/pose_reader.h"
 
 namespace shapespline {
@@ -37,7 +37,7 @@ void setTimesInSeconds(Keyframes& keyframes);
 
 /// Reads one key per file, in file order. If files have different objects (such as a ground plane), the keys use the
 /// objects that all files share, with a warning. Errors: those of the readers, and of files that do not match.
-Result<Import> importPoses(const std::vector<MeshFile>& meshes, const GivenFiles& files, const ImportOptions& options,
+Result<Import> importPoses(const std::vector<MeshFile>& meshes, const SourceFiles& files, const ImportOptions& options,
                            const StageProgress& progress);
 
 }  // namespace shapespline

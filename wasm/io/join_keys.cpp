@@ -228,7 +228,7 @@ void KeyJoiner::warnOfExtra(int count) {
 
 void KeyJoiner::addMatches(const ObjectMatch& same, const std::vector<ObjectFaces>& objects, int key) {
   for (std::size_t i = 0; same.isComplete() && i < same.otherOf.size(); ++i)
-    if (import_.matches.size() < mostObjects)
+    if (import_.matches.size() < maxObjects)
       import_.matches.push_back({key, import_.scene.objects[i].name, objects[same.otherOf[i]].name, same.rule[i]});
 }
 

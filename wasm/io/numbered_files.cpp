@@ -36,11 +36,11 @@ std::string_view stemOf(std::string_view path) {
 
 // The numbers in a file's name, from the end.
 std::vector<Digits> digitsIn(std::string_view path) {
-  constexpr std::size_t mostNumbers = 8;
+  constexpr std::size_t maxNumbers = 8;
   const std::string_view stem = stemOf(path);
   const std::size_t folder = path.size() - baseName(path).size();
   std::vector<Digits> out;
-  for (std::size_t to = stem.size(); to > folder && out.size() < mostNumbers; --to) {
+  for (std::size_t to = stem.size(); to > folder && out.size() < maxNumbers; --to) {
     if (!isDigit(stem[to - 1])) continue;
     std::size_t from = to;
     while (from > folder && isDigit(stem[from - 1])) --from;

@@ -18,11 +18,11 @@ namespace {
 
 // Limit of face comparisons when searching for similar objects, as a multiple of all faces. Bounds the cost of files
 // with many unnamed objects.
-constexpr std::int64_t mostComparisons = 40;
+constexpr std::int64_t maxComparisons = 40;
 // Maximum number of similar objects to match by position, which takes quadratic time.
-constexpr std::size_t mostAlike = 400;
+constexpr std::size_t maxMatched = 400;
 // Maximum number of points per object for fitting a rigid motion.
-constexpr std::size_t mostPoints = 64;
+constexpr std::size_t maxPoints = 64;
 
 // Returns "Cube" for Blender's "Cube.001".
 std::string_view withoutNumber(std::string_view name) {
@@ -199,7 +199,7 @@ struct Matcher {
       to.push_back(centroidOf(b.positions));
       return;
     }
-    const std::size_t step = a.positions.size() / mostPoints + 1;
+    const std::size_t step = a.positions.size() / maxPoints + 1;
     for (std::size_t v = 0; v < a.positions.size(); v += step) {
       from.push_back(a.positions[v]);
       to.push_back(b.positions[v]);
@@ -252,17 +252,17 @@ struct Matcher {
 
   // Candidate motions for the class: the motion of matched objects, of the class centre, of its first object.
   std::vector<Placement> placementsOf(const Class& c) {
-    constexpr std::size_t mostTried = 8;
+    constexpr std::size_t maxTries = 8;
     std::vector<Placement> places;
     Pairs matched;
-    for (std::size_t i = 0; i < out.otherOf.size() && matched.size() < mostAlike; ++i)
+    for (std::size_t i = 0; i < out.otherOf.size() && matched.size() < maxMatched; ++i)
       if (out.otherOf[i] >= 0) matched.emplace_back(static_cast<int>(i), out.otherOf[i]);
     if (!matched.empty()) places.push_back(placementOf(matched));
     Placement centre;
     for (int i : c.mine) centre.from += centroidOf(ours(i).positions) / static_cast<double>(c.mine.size());
     for (int j : c.others) centre.to += centroidOf(theirs(j).positions) / static_cast<double>(c.others.size());
     places.push_back(centre);
-    for (std::size_t k = 0; k < c.others.size() && k < mostTried; ++k)
+    for (std::size_t k = 0; k < c.others.size() && k < maxTries; ++k)
       places.push_back(placementOf({{c.mine[0], c.others[k]}}));
     return places;
   }
@@ -271,7 +271,7 @@ struct Matcher {
     const Pairs order = inOrder(c);
     MatchRule rule = MatchRule::Order;
     Pairs best = order;
-    if (c.mine.size() <= mostAlike && c.others.size() <= mostAlike) {
+    if (c.mine.size() <= maxMatched && c.others.size() <= maxMatched) {
       // File order may be random, so a different order must fit the poses clearly better.
       const bool sameCount = c.mine.size() == c.others.size();
       double least = sameCount ? strainOf(order) : std::numeric_limits<double>::infinity();
@@ -321,7 +321,7 @@ struct Matcher {
     taken.assign(other.objects.size(), 0);
     unsure.assign(first.objects.size(), 0);
     otherUnsure.assign(other.objects.size(), 0);
-    room = mostComparisons * static_cast<std::int64_t>(first.faces.size() + other.faces.size());
+    room = maxComparisons * static_cast<std::int64_t>(first.faces.size() + other.faces.size());
     for (int kind = 0; kind < propertyNames; ++kind) matchNames(kind);
     checkNames();
     if (first.objects.size() == 1 && other.objects.size() == 1 && isOpen(0)) match(0, 0, MatchRule::Order);

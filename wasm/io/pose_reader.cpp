@@ -10,7 +10,7 @@ namespace shapespline {
 
 namespace {
 
-Result<PolygonMesh> readPolygons(const MeshFile& mesh, const GivenFiles& files, const ImportOptions& options,
+Result<PolygonMesh> readPolygons(const MeshFile& mesh, const SourceFiles& files, const ImportOptions& options,
                                  const std::string& where, const FractionReport& onProgress) {
   if (mesh.kind == FileKind::Obj) return readObj(*mesh.file, files, options.objects, where, onProgress);
   if (Status known = checkObjects(options.objects, {}, where); !known) return known.error();

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "core/base/progress.h"
-#include "io/base/given_files.h"
 #include "io/base/imported.h"
 #include "io/base/named_bytes.h"
+#include "io/base/source_files.h"
 #include "io/file_kind.h"
 #include "io/gltf/gltf_reader.h"
 #include "io/polygon/polygon_mesh.h"
@@ -25,7 +25,7 @@ void orient(Positions& positions, bool zUp, double scale);
 
 /// Reads poses one by one. Polygons are cut as in the first pose with polygons.
 struct PoseReader {
-  const GivenFiles& files;
+  const SourceFiles& files;
   const ImportOptions& options;
   std::optional<PolygonCuts> cuts{};
 

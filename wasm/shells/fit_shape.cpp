@@ -6,8 +6,8 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostFitSteps = 200;
-constexpr double firstDamping = 1e-3, mostDamping = 1e6;
+constexpr int maxFitSteps = 200;
+constexpr double firstDamping = 1e-3, maxDamping = 1e6;
 constexpr double fitStop = 1e-6;  // stops at steps shorter than this share of the shape's size
 
 }  // namespace
@@ -18,11 +18,11 @@ std::optional<Positions> fitShape(ShellSystem& system, const ShellMeasures& targ
   ShellMeasures error = metric.difference(metric.measuresOf(shape), target);
   double energy = metric.squaredNorm(error);
   double damping = firstDamping;
-  for (int step = 0; step < mostFitSteps && std::isfinite(energy); ++step) {
+  for (int step = 0; step < maxFitSteps && std::isfinite(energy); ++step) {
     const Positions force = system.transposed(shape, error);
     system.fill(shape);
     for (bool better = false; !better; damping *= better ? 0.1 : 10) {
-      if (damping > mostDamping || !system.factor(damping)) return std::nullopt;
+      if (damping > maxDamping || !system.factor(damping)) return std::nullopt;
       const Positions change = system.solve(force);
       const double length = largestNorm(change);
       if (length <= fitStop * size) return shape;

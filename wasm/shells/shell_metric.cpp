@@ -13,7 +13,7 @@ namespace shapespline {
 namespace {
 
 constexpr double bendingShare = 1e-4;  // weight of an angle relative to a length, divided by the area of the shape
-constexpr double mostSlender = 10;     // limit of an angle's weight; without it, slivers would dominate the system
+constexpr double maxSlenderness = 10;  // limit of an angle's weight; without it, slivers would dominate the system
 
 // One side of an edge: its face, the face's third corner, and whether it runs from the lower to the higher vertex.
 struct Side {
@@ -63,7 +63,7 @@ ShellMetric::ShellMetric(const std::vector<Triangle>& faces, const std::vector<P
       const Side& right = sides[0].upwards ? sides[1] : sides[0];
       edges_.push_back({ends.first, ends.second, left.opposite, right.opposite});
       lengthWeight.push_back(area / squared);
-      angleWeight.push_back(bendingShare * whole * std::min(squared / area, mostSlender));
+      angleWeight.push_back(bendingShare * whole * std::min(squared / area, maxSlenderness));
     } else {
       plain.push_back({ends.first, ends.second});
       plainWeight.push_back(area / squared);

@@ -77,7 +77,7 @@ Welded weldedOf(const std::vector<Triangle>& faces, const std::vector<Positions>
 
 // The least area of each triangle that a fit may reach: none has less than a small share of its least area in the keys.
 // The angles of a triangle without area jump, so such a fit is far from its neighbours in time.
-std::vector<double> leastAreas(const Welded& mesh) {
+std::vector<double> minAreas(const Welded& mesh) {
   std::vector<double> areas;
   for (const Triangle& face : mesh.faces) {
     double least = std::numeric_limits<double>::infinity();
@@ -87,9 +87,9 @@ std::vector<double> leastAreas(const Welded& mesh) {
   return areas;
 }
 
-bool collapses(const Positions& shape, const std::vector<Triangle>& faces, const std::vector<double>& leastArea) {
+bool collapses(const Positions& shape, const std::vector<Triangle>& faces, const std::vector<double>& minArea) {
   for (std::size_t f = 0; f < faces.size(); ++f)
-    if (surfaceArea(shape, {faces[f]}) < leastArea[f]) return true;
+    if (surfaceArea(shape, {faces[f]}) < minArea[f]) return true;
   return false;
 }
 
@@ -100,7 +100,7 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
   const std::vector<ShellMeasures> measures = system.metric().measuresOfKeys(mesh.keys);
   ShellShapes found{mesh.starts, {}, {}, true, 0};
   const std::vector<std::vector<int>> components = componentsOf(mesh.faces, system.metric().vertexCount());
-  const std::vector<double> leastArea = leastAreas(mesh);
+  const std::vector<double> minArea = minAreas(mesh);
   std::size_t intervalStart = 0;
   for (std::size_t s = 0; s < samples.size(); ++s) {
     reportFraction(onProgress, static_cast<double>(s) / static_cast<double>(samples.size()));
@@ -108,10 +108,10 @@ ShellShapes fitSamples(ShellSystem& system, const Welded& mesh, const std::vecto
       intervalStart = s + 1;
       continue;
     }
-    const bool isFlat = collapses(mesh.starts[s], mesh.faces, leastArea);
-    const auto isAllowed = [&](const Positions& trial) { return isFlat || !collapses(trial, mesh.faces, leastArea); };
+    const bool isFlat = collapses(mesh.starts[s], mesh.faces, minArea);
+    const auto isAllowed = [&](const Positions& trial) { return isFlat || !collapses(trial, mesh.faces, minArea); };
     auto shape = fitShape(system, blendOf(measures, samples[s].weights), mesh.starts[s], mesh.size, isAllowed);
-    if (shape && !collapses(*shape, mesh.faces, leastArea)) {
+    if (shape && !collapses(*shape, mesh.faces, minArea)) {
       moveOnto(*shape, mesh.starts[s], components);
       found.shapes[s] = std::move(*shape);
       continue;

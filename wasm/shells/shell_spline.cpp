@@ -12,16 +12,16 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostSplineSteps = 40, mostHalvings = 10;
-constexpr int mostTrials = 120;      // bounds the time
-constexpr double leastFall = 1e-4;   // stops when a step lowers the energy by less than this fraction
+constexpr int maxSplineSteps = 40, maxHalvings = 10;
+constexpr int maxTrials = 120;       // bounds the time
+constexpr double minFall = 1e-4;     // stops when a step lowers the energy by less than this fraction
 constexpr double negligible = 1e-6;  // stops at this share of the energy |z'|^2 of the path, with a range of 1
-constexpr int mostMeanSteps = 60;
+constexpr int maxMeanSteps = 60;
 constexpr double meanStop = 1e-8;  // stops at steps shorter than this share of the shape's size
 constexpr double slow = 0.3;       // factors again if a step is longer than this share of the previous step
 constexpr double lightDamping = 1e-8;
 constexpr double preconditionerDamping = 1e-6;
-constexpr int mostAdjointSteps = 40;
+constexpr int maxAdjointSteps = 40;
 constexpr double adjointStop = 1e-5;   // stops when the residual has fallen to this fraction
 constexpr double probe = 1e-5;         // step of finite differences, as a share of the shape's size
 constexpr std::size_t remembered = 8;  // number of pairs that L-BFGS keeps
@@ -65,7 +65,7 @@ bool ShellSpline::findMean(int k, const std::vector<ShellMeasures>& measures, Po
   ShellMeasures error = metric.difference(metric.measuresOf(mean), middle);
   double energy = metric.squaredNorm(error);
   bool refresh = true;
-  for (int i = 0; i < mostMeanSteps && std::isfinite(energy); ++i) {
+  for (int i = 0; i < maxMeanSteps && std::isfinite(energy); ++i) {
     if (refresh) {
       system_->fill(mean);
       if (!system_->factor(damping)) return false;
@@ -111,7 +111,7 @@ Positions ShellSpline::adjointOf(const Positions& mean, const ShellMeasures& mid
   Positions solution(mean.size(), Vec3::Zero()), direction = system_->solve(residual);
   double along = dot(residual, direction);
   const double first = along;
-  for (int i = 0; i < mostAdjointSteps && along > adjointStop * adjointStop * first; ++i) {
+  for (int i = 0; i < maxAdjointSteps && along > adjointStop * adjointStop * first; ++i) {
     const Positions product = times(direction);
     const double curvature = dot(direction, product);
     if (!(curvature > 0)) break;
@@ -318,17 +318,17 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
   Memory memory;
   const double least = negligible * this->speedOf(shapes);
   double length = 1;
-  for (; steps_ < mostSplineSteps && trials_ < mostTrials; ++steps_) {
-    reportFraction(onProgress, std::max(double(steps_) / mostSplineSteps, double(trials_) / mostTrials));
+  for (; steps_ < maxSplineSteps && trials_ < maxTrials; ++steps_) {
+    reportFraction(onProgress, std::max(double(steps_) / maxSplineSteps, double(trials_) / maxTrials));
     const Path direction = memory.direction(gradient, [&](const Path& g) { return preconditioner->apply(g); });
     const double slope = dotOf(gradient, direction);
-    if (energy <= least || !(slope > leastFall * energy)) return converged;
+    if (energy <= least || !(slope > minFall * energy)) return converged;
     length = std::min(1.0, 4 * length);
     const Path means = means_;
     const std::vector<double> terms = terms_;
     Path trial;
     bool lower = false;
-    for (int halvings = 0; halvings < mostHalvings && !lower; ++halvings, ++trials_) {
+    for (int halvings = 0; halvings < maxHalvings && !lower; ++halvings, ++trials_) {
       if (halvings > 0) length /= 2;
       trial = shapes;
       addScaledPath(trial, -length, direction);
@@ -350,7 +350,7 @@ int ShellSpline::descend(std::vector<Positions>& shapes, const std::vector<char>
     gradient = std::move(trialGradient);
     const double fall = energy - trialEnergy;
     energy = trialEnergy;
-    if (fall < leastFall * energy) return converged;
+    if (fall < minFall * energy) return converged;
   }
   return cutShort;
 }

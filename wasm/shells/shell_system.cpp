@@ -10,7 +10,7 @@ namespace shapespline {
 namespace {
 
 // damping of vertices without edges, as a share of the mean diagonal
-constexpr double leastDamping = 1e-8;
+constexpr double minDamping = 1e-8;
 
 // The three unknowns of a vertex are adjacent.
 std::vector<int> orderInBlocks(const Graph& vertices) {
@@ -125,7 +125,7 @@ bool ShellSystem::factor(double damping) {
     all += mean[v] / vertices;
   }
   for (int v = 0; v < vertices; ++v)
-    for (int c = 0; c < 3; ++c) damped_.value[diagonal(v, c)] += damping * mean[v] + leastDamping * all;
+    for (int c = 0; c < 3; ++c) damped_.value[diagonal(v, c)] += damping * mean[v] + minDamping * all;
   ++factors_;
   return solver_.factorise(damped_).ok();
 }

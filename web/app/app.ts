@@ -4,7 +4,7 @@ import { registerServiceWorker } from '../offline/register.ts';
 import { lazy } from '../ui/lazy.ts';
 import { createTheme } from '../ui/theme.ts';
 import { bindActions } from './actions/action.ts';
-import type { Context, Ways } from './actions/context.ts';
+import type { Context, IoControllers } from './actions/context.ts';
 import { ACTIONS } from './actions/table.ts';
 import { createAnalysisCache } from './analysis/analysis-cache.ts';
 import { createMotionSpeed } from './analysis/motion-speed.ts';
@@ -17,13 +17,13 @@ import type { Layout } from './panels/layout.ts';
 import { createPage } from './panels/page.ts';
 import { createSession } from './session/session.ts';
 import type { Session, StartedEngine } from './session/session.ts';
-import { TakeFiles } from './sources/take-files.ts';
+import { FileIntake } from './sources/file-intake.ts';
 import { createFeedback } from './view/feedback.ts';
 import { createOffers } from './view/offers.ts';
 import { createViewState } from './view/view-state.ts';
 import { listenToLeaving, listenToNetwork, listenToPointer } from './view/window-events.ts';
-import { createVisit } from './visit.ts';
-import { createWays } from './ways.ts';
+import { createStartup } from './startup.ts';
+import { createIoControllers } from './io-controllers.ts';
 
 export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const layout = createLayout();
@@ -37,9 +37,9 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   );
   const { store } = session;
   const seek = (t: number): void => commands.seek(t);
-  const display = createDisplay({ session, stage: layout, viewState, feedback, seek, onResize: redraw });
+  const display = createDisplay({ session, area: layout, viewState, feedback, seek, onResize: redraw });
   const analysis = createAnalysisCache(session, () => viewState.get().ms ?? 1, feedback.onError);
-  const ways = createWays({
+  const ioControllers = createIoControllers({
     session,
     display,
     analysis,
@@ -51,10 +51,10 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
       else openGuide(fragment).catch(feedback.onError);
     },
   });
-  const guide = lazy(() => loadGuide(session, ways, layout, () => visit.openBegun()));
+  const guide = lazy(() => loadGuide(session, ioControllers, layout, () => startup.openBegun()));
   const openGuide = async (fragment: string): Promise<boolean> => (await guide.get()).open(fragment);
   const context: Context = {
-    ...ways,
+    ...ioControllers,
     session,
     display,
     viewState,
@@ -68,11 +68,11 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     motionSpeed: createMotionSpeed({
       sequence: session.sequence,
       towards: () => endTangents(store.get().doc),
-      onSpeed: (speedCurve, mostSpeeds) => viewState.change({ speedCurve, mostSpeeds }),
+      onSpeed: (speedCurve, maxSpeeds) => viewState.change({ speedCurve, maxSpeeds }),
     }),
-    takeFiles: new TakeFiles({
+    fileIntake: new FileIntake({
       store,
-      files: ways.files,
+      files: ioControllers.files,
       say: feedback.say,
       onOffer: offers.pose.offer,
       onPick: () => page.overlays.pickFiles(),
@@ -89,14 +89,14 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const page = createPage({ root, layout, context, commands, offers, onDrawn });
   followState(context, () => guide.now?.onOpened(), redraw);
   listenToWindow(context);
-  const visit = createVisit({ context, offers, onGuide: openGuide });
+  const startup = createStartup({ context, offers, onGuide: openGuide });
   const onNewVersion = (reload: () => void): void =>
     offers.newVersion.offer({
       message: 'A new version of this page is ready.',
       action: 'Reload',
-      onAccept: () => void ways.remembered.settle().then(reload),
+      onAccept: () => void ioControllers.remembered.settle().then(reload),
     });
-  registerServiceWorker({ onNewVersion, onRepaired: feedback.say }, visit.begin());
+  registerServiceWorker({ onNewVersion, onRepaired: feedback.say }, startup.begin());
   void display.scene.viewer.firstSeen.then(redraw);
   applyLook(context);
   redraw();
@@ -104,7 +104,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
 
 async function loadGuide(
   { store, workspace }: Session,
-  { files, remembered, link }: Ways,
+  { files, remembered, link }: IoControllers,
   layout: Layout,
   openInitial: () => Promise<void>,
 ): Promise<Guide> {

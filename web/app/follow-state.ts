@@ -7,7 +7,7 @@ import { changesBetween } from './session/state-changes.ts';
 
 /** Passes each change of the state to the parts concerned. */
 export function followState(context: Context, onOpened: () => void, redraw: () => void): void {
-  const { session, display, viewState, takeFiles, link, remembered } = context;
+  const { session, display, viewState, fileIntake, link, remembered } = context;
   const { store } = session;
   let before = store.get();
   store.subscribe((state) => {
@@ -18,7 +18,7 @@ export function followState(context: Context, onOpened: () => void, redraw: () =
     if (changed.look) applyLook(context);
     display.playback.follow(state, changed);
     if (changed.opened) {
-      takeFiles.forget();
+      fileIntake.forget();
       onOpened();
     } else if (changed.motions) viewState.change({ welcome: false });
     // The user's files have no link, so the URL is cleared even while they play.
@@ -48,7 +48,7 @@ function serveAfterFirst({ session: { serve, store }, display: { scene, playback
 /** Reactions to loaded files and finished motions. */
 export function sessionEvents(app: () => Context): SessionEvents {
   return {
-    onServed: () => showServed(app()),
+    onApplied: () => showApplied(app()),
     onRestart() {
       const { feedback, display, session } = app();
       feedback.say('The browser stopped the computation. It restarts now, and nothing was lost.');
@@ -68,7 +68,7 @@ export function sessionEvents(app: () => Context): SessionEvents {
 }
 
 /** The motions match the document. */
-function showServed({ session, display, viewState, feedback, analysis, motionSpeed }: Context): void {
+function showApplied({ session, display, viewState, feedback, analysis, motionSpeed }: Context): void {
   const main = session.sequence();
   if (!main) return;
   viewState.change({ warnings: warningsOf(session) });

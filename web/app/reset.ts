@@ -18,7 +18,7 @@ export async function reset({ context, offers, visit }: ResetParts, fragment: st
   session.cancel();
   await files.idle();
   closeAll();
-  animation.now?.dropTruth();
+  animation.now?.dropReference();
   session.store.set({ project: null, view: DEFAULT_VIEW, play: EMPTY_STATE.play });
   await remembered.forgetAll();
   while (theme.theme() !== 'system') theme.next();

@@ -16,7 +16,7 @@ import {
   extensionOf,
   fileName,
   isExternal,
-  isMeantInFolder,
+  isImportable,
   resourceUris,
 } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
@@ -36,9 +36,7 @@ async function withoutFolders(names: string[]): Promise<string[]> {
         () => false,
       );
       if (!isFolder) return [name];
-      const inside = (await readdir(name)).filter(
-        (one) => isMeantInFolder(one) && !COMPANIONS.includes(extensionOf(one)),
-      );
+      const inside = (await readdir(name)).filter((one) => isImportable(one) && !COMPANIONS.includes(extensionOf(one)));
       if (inside.length === 0)
         throw new EngineError('missing-file', `${name}: there is no model in this folder.`, { file: name });
       checkOneSequence(name, inside);
@@ -53,7 +51,7 @@ function checkOneSequence(folder: string, inside: string[]): void {
   const sequences = sequencesIn(inNaturalOrder(inside.map((name) => ({ name }))).map(({ name }) => name));
   const [first] = sequences;
   if (!first || sequences.length === 1) return;
-  const shown = sequences.slice(0, MOST_SHOWN).map(sequenceText);
+  const shown = sequences.slice(0, MAX_SHOWN).map(sequenceText);
   const more = sequences.length > shown.length ? [`${sequences.length - shown.length} more`] : [];
   throw new EngineError(
     'several-sequences',
@@ -63,7 +61,7 @@ function checkOneSequence(folder: string, inside: string[]): void {
   );
 }
 
-const MOST_SHOWN = 5;
+const MAX_SHOWN = 5;
 
 /** Adds these inputs and all files that they refer to, also those that are not read. Reads no large file but an OBJ. */
 export async function addInputs(known: KnownFiles, given: string[]): Promise<void> {
@@ -207,7 +205,7 @@ function besideOrNear(from: string, name: string): string {
 }
 
 /** Longest name, in words. */
-const MOST_WORDS = 8;
+const MAX_WORDS = 8;
 
 /** One name with spaces, or several names: a name ends if it is a file, or in .mtl (as in `wasm/io/polygon`). */
 export async function libraryNames(text: string, isFile: (name: string) => Promise<boolean>): Promise<string[]> {
@@ -219,7 +217,7 @@ export async function libraryNames(text: string, isFile: (name: string) => Promi
     words += 1;
     const end = index + word.length;
     const name = text.slice(start, end);
-    if (end < text.length && extensionOf(word) !== 'mtl' && !(words <= MOST_WORDS && (await isFile(name)))) continue;
+    if (end < text.length && extensionOf(word) !== 'mtl' && !(words <= MAX_WORDS && (await isFile(name)))) continue;
     names.push(name);
     words = 0;
   }
@@ -228,7 +226,7 @@ export async function libraryNames(text: string, isFile: (name: string) => Promi
 
 const [LF, CR] = [10, 13];
 /** Limit for a line that continues on others. */
-const MOST_PARTS = 256;
+const MAX_PARTS = 256;
 
 /**
  * The names after a keyword in any case, without duplicates. Decodes only lines with its first letter, because a file
@@ -250,7 +248,7 @@ export function namedIn(bytes: Uint8Array, keyword: string): string[] {
     if ((bytes[at]! | 32) === letter) {
       const parts = [text(at, end)];
       // The line continues on the next one that is not empty.
-      while (parts.at(-1)!.endsWith('\\') && end < bytes.length && parts.length < MOST_PARTS) {
+      while (parts.at(-1)!.endsWith('\\') && end < bytes.length && parts.length < MAX_PARTS) {
         const start = end + 1;
         end = endOf(start);
         if (end > start) parts.push(text(start, end));

@@ -11,7 +11,7 @@ import { fitWarnings, isOwnAt } from '../study/fitted-intervals.ts';
 import { MotionError } from '../study/motion-error.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { checkedFiles } from './commands.ts';
-import { doubtsOfPlace, doubtsOfTime } from './doubts.ts';
+import { alignmentWarnings, timeWarnings } from './comparison-warnings.ts';
 import { readInputs } from './input.ts';
 import type { KnownFiles } from './known-files.ts';
 import { writeOutputs } from './output.ts';
@@ -24,8 +24,8 @@ import {
   sequenceOptions,
   withProject,
 } from './settings.ts';
-import { noFrames, readTruth } from './truth.ts';
-import type { Truth } from './truth.ts';
+import { noFrames, readReference } from './reference-animation.ts';
+import type { Reference } from './reference-animation.ts';
 
 /** Number of frames held in memory at a time. */
 const AT_ONCE = 16;
@@ -63,12 +63,15 @@ export async function measure(args: Arguments): Promise<Measured> {
       const same = own.ghostFaces === wholly.ghostFaces;
       return (same ? shape : await engine.encode(keys, encodingOf(own))).motion(motionOf(own));
     };
-    const truth = against.length > 0 ? await readTruth(engine, keys, await readInputs(against), imported, own) : null;
-    const compared = truth && (await comparedTimes(sequence, truth, wanted, against[0]!));
+    const reference =
+      against.length > 0 ? await readReference(engine, keys, await readInputs(against), imported, own) : null;
+    const compared = reference && (await comparedTimes(sequence, reference, wanted, against[0]!));
     const times = compared?.times ?? (await sequence.planExport({ format: 'obj', ...wanted })).times;
-    const warnings = compared ? await doubtsOf(sequence, compared, truth) : [];
+    const warnings = compared ? await comparisonWarnings(sequence, compared, reference) : [];
     const columns: Column[] = [];
-    const comments: string[] = truth ? [`# frames of the animation: ${truth.times.length}, ${truth.placed}`] : [];
+    const comments: string[] = reference
+      ? [`# frames of the animation: ${reference.times.length}, ${reference.placed}`]
+      : [];
     for (const method of methods) {
       const motion = method === methods[0] ? sequence : await motionBy(method);
       warnings.push(...fitWarnings(motion).map((warning) => `${method}: ${warning}`));
@@ -89,7 +92,7 @@ export async function measure(args: Arguments): Promise<Measured> {
       `# files ${tableJson(args.files)}`,
       `# options ${tableJson({ import: imported, sequence: options, keyTimes: sequence.keyTimes })}`,
       ...warnings.map((warning) => `# warning: ${warning}`),
-      ...(truth ? [`# against ${tableJson(against)}`, ...comments, ERROR_UNITS] : []),
+      ...(reference ? [`# against ${tableJson(against)}`, ...comments, ERROR_UNITS] : []),
       MEASURE_UNITS,
       ...(byShell ? [SHELL_UNITS] : []),
       ...tableOf(times, 1, columns),
@@ -123,49 +126,53 @@ const AT_END = 1e-6;
 /** The animation's frames within the range of the keys, or the requested times. */
 export async function comparedTimes(
   sequence: Motion,
-  truth: Truth,
+  reference: Reference,
   wanted: Partial<ExportOptions>,
   file: string,
 ): Promise<Compared> {
   const [start, end] = sequence.range;
-  const span = [truth.times[0]!, truth.times.at(-1)!] as const;
+  const span = [reference.times[0]!, reference.times.at(-1)!] as const;
   const near = AT_END * (end - start);
   if (Object.keys(wanted).length === 0) {
-    const inside = truth.times.flatMap((t, frame) => (t >= start - near && t <= end + near ? [{ t, frame }] : []));
+    const inside = reference.times.flatMap((t, frame) => (t >= start - near && t <= end + near ? [{ t, frame }] : []));
     if (inside.length < 2) throw noFrames(file, span);
     return {
       times: inside.map(({ t }) => Math.min(Math.max(t, start), end)),
-      frames: inside.map(({ frame }) => truth.frame(frame)),
+      frames: inside.map(({ frame }) => reference.frame(frame)),
     };
   }
   const { times } = await sequence.planExport({ format: 'obj', ...wanted });
   const inside = times.filter((t) => t >= span[0] - near && t <= span[1] + near);
   if (inside.length === 0) throw noFrames(file, span);
-  const sampled = await truth.at(inside);
+  const sampled = await reference.at(inside);
   return { times, frames: times.map((t) => (inside.includes(t) ? sampled.frame(inside.indexOf(t)) : null)) };
 }
 
 /** Number of frames to check for a different size or axis. */
 const LOOKED_AT = 5;
 
-export async function doubtsOf(sequence: Motion, { times, frames }: Compared, truth: Truth): Promise<string[]> {
+export async function comparisonWarnings(
+  sequence: Motion,
+  { times, frames }: Compared,
+  reference: Reference,
+): Promise<string[]> {
   const found = frames.flatMap((animation, index) => (animation ? [{ animation, t: times[index]! }] : []));
   const step = Math.max(1, Math.floor(found.length / LOOKED_AT));
   const looked = found.filter((_, index) => index % step === 0);
   const motions = await sequence.evaluateMany(looked.map(({ t }) => t));
   const pairs = looked.map(({ animation }, index) => ({ animation, motion: motions[index]!.positions }));
   const [first, last] = [sequence.keyTimes[0]!, sequence.keyTimes.at(-1)!];
-  const doubts = [
-    ...doubtsOfTime({
+  const warnings = [
+    ...timeWarnings({
       keys: [first, last],
-      animation: [truth.times[0]!, truth.times.at(-1)!],
-      frames: truth.times.length,
+      animation: [reference.times[0]!, reference.times.at(-1)!],
+      frames: reference.times.length,
       compared: found.length,
     }),
-    ...doubtsOfPlace(pairs, truth.lies),
+    ...alignmentWarnings(pairs, reference.axisAndUnit),
   ];
   for (const motion of motions) motion.release();
-  return doubts;
+  return warnings;
 }
 
 async function compare(sequence: Motion, { times, frames }: Compared, diagonal: number): Promise<MotionError> {

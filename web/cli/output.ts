@@ -108,7 +108,7 @@ export async function writeOutputs(outputs: Output[], known = new KnownFiles()):
 async function move(outputs: Output[], known: KnownFiles, partial: string[], made: string[]): Promise<void> {
   const whole: Move[] = [];
   const streams: { to: string; bytes: OutputFile['bytes'] }[] = [];
-  const besides: Beside[] = [];
+  const companions: Beside[] = [];
   for (const output of outputs) {
     const { target, stream } = await place(output.path);
     const isFolder = output.path.endsWith('/');
@@ -130,11 +130,11 @@ async function move(outputs: Output[], known: KnownFiles, partial: string[], mad
       if (isMain) await known.check(to, output.path, output.flag);
       else beside.files.push(written(name, bytes, beside.of));
     }
-    if (beside.files.length > 0) besides.push(beside);
+    if (beside.files.length > 0) companions.push(beside);
   }
   await checkPlaces(whole);
   const stale: string[] = [];
-  for (const beside of besides) {
+  for (const beside of companions) {
     const { list, removed } = await checkBeside(beside, known);
     stale.push(...removed);
     partial.push(beside.list);

@@ -2,7 +2,7 @@
 import { GONE_FLAGS } from '../engine/api/gone-options.ts';
 import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
-import { choiceNow, wrongWith, wrongWithList } from '../engine/api/options.ts';
+import { choiceNow, validationError, listValidationError } from '../engine/api/options.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
 import type { ExportOptions, ImportOptions, Method, SequenceOptions } from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments, type Known } from './arguments.ts';
@@ -38,8 +38,8 @@ const readKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Read | null
   text: (text) => text,
 };
 
-function readNumber({ whole, above, least = -Infinity, zero }: NumberOption): Read {
-  const reader = whole ? read.wholeFrom(least) : above === 0 ? read.positive : read.number;
+function readNumber({ whole, above, min = -Infinity, zero }: NumberOption): Read {
+  const reader = whole ? read.wholeFrom(min) : above === 0 ? read.positive : read.number;
   return zero === undefined ? reader : (text, option) => (text === zero ? 0 : reader(text, option));
 }
 
@@ -47,14 +47,14 @@ function readOption(option: Option): Read | null {
   if (option.kind === 'shape') return readKind.shape; // the text is a file name until the command reads the file
   if (option.kind === 'choice') return (text, flag) => read.oneOf(...option.choices)(choiceNow(option, text), flag);
   const reader = option.kind === 'number' ? readNumber(option) : readKind[option.kind];
-  return reader && inBounds(reader, (value) => wrongWith(option, value));
+  return reader && inBounds(reader, (value) => validationError(option, value));
 }
 
 /** Refuses valid text with a value that the engine would refuse, before any file is read. */
-function inBounds(reader: Read, wrongWithValue: (value: unknown) => string | null): Read {
+function inBounds(reader: Read, valueError: (value: unknown) => string | null): Read {
   return (text, option) => {
     const value = reader(text, option);
-    const wrong = wrongWithValue(value);
+    const wrong = valueError(value);
     if (wrong) throw new UsageError(`${option}: ${wrong}`);
     return value;
   };
@@ -71,7 +71,7 @@ const perKey = Object.entries(PER_KEY).flatMap(([name, option]: [string, KeyOpti
   flagOf(
     name,
     option,
-    inBounds(option.kind === 'number' ? read.numbers : read.turns, (value) => wrongWithList(option, value)),
+    inBounds(option.kind === 'number' ? read.numbers : read.turns, (value) => listValidationError(option, value)),
   ),
 );
 const importFlags = flagsOf(IMPORT);
@@ -240,7 +240,7 @@ export function withProject(
 function checkTogether(options: Partial<SequenceOptions>): void {
   const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [] } = options;
   if (METHOD[method].curve === 'fitted') checkFitted(options, method);
-  checkKept(options);
+  checkKeptLengths(options);
   if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
     throw new UsageError(
       `--boundary hermite sets end speeds, but --method ${method} is straight from key to key and has none`,
@@ -273,7 +273,7 @@ export function checkFit(args: Arguments, options: Partial<SequenceOptions>, met
 }
 
 /** Flags that motions with kept lengths do not take. */
-function checkKept({ method = OWN_METHOD, keepLengths = 0, ...options }: Partial<SequenceOptions>): void {
+function checkKeptLengths({ method = OWN_METHOD, keepLengths = 0, ...options }: Partial<SequenceOptions>): void {
   if (keepLengths === 0) return;
   if (method !== OWN_METHOD) throw new UsageError(`--keep-lengths requires --method ${OWN_METHOD}`);
   const { boundary = 'natural', hold = 'off', pins = [], turns = [] } = options;
@@ -362,7 +362,7 @@ const HOLD_ALL: readonly string[] = ['glb', 'pc2', 'mdd'];
 /** Files that belong to the output share its name. */
 function nameOf(output: string): Partial<ExportOptions> {
   const stem = output.replace(/^.*[/\\]/, '').replace(/\.[^.]*$/, '');
-  return stem === '' || wrongWith(EXPORT.name, stem) ? {} : { name: stem };
+  return stem === '' || validationError(EXPORT.name, stem) ? {} : { name: stem };
 }
 
 function formatOf(output: string): ExportOptions['format'] {

@@ -1,7 +1,7 @@
 /** The study commands: tables that compare sizes of a ghost mesh, methods, and the paper's costs. */
 import { version } from '../../package.json';
 import type { Engine, Keys } from '../engine/api/api.ts';
-import { wrongWith } from '../engine/api/options.ts';
+import { validationError } from '../engine/api/options.ts';
 import { ENCODING } from '../engine/api/option-table.ts';
 import { METHODS } from '../engine/api/methods.ts';
 import type { Method } from '../engine/api/types.ts';
@@ -11,14 +11,14 @@ import { tableJson } from '../study/motion-measures.ts';
 import { measureTables, modelOf } from '../study/paper-tables.ts';
 import type { Costs, Tables } from '../study/paper-tables.ts';
 import { studySpaces } from '../study/space-study.ts';
-import type { TrueShapes } from '../study/space-study.ts';
+import type { ReferenceShapes } from '../study/space-study.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { checkedFiles } from './commands.ts';
-import { comparedTimes, doubtsOf, handOut } from './measure.ts';
+import { comparedTimes, comparisonWarnings, handOut } from './measure.ts';
 import type { Measured } from './measure.ts';
 import { againstOptions, importOptions, measuredMethods, sequenceOptions, withProject } from './settings.ts';
-import { readTruth } from './truth.ts';
+import { readReference } from './reference-animation.ts';
 import * as read from './values.ts';
 
 type Cell = string | number;
@@ -73,8 +73,8 @@ function ghostSizes(args: Arguments): number[] {
   const text = args.values.get('sizes');
   if (text === undefined) return [...GHOST_SIZES];
   return text.split(',').map((word) => {
-    const size = read.wholeFrom(ENCODING.ghostFaces.least)(word, '--sizes');
-    const wrong = wrongWith(ENCODING.ghostFaces, size);
+    const size = read.wholeFrom(ENCODING.ghostFaces.min)(word, '--sizes');
+    const wrong = validationError(ENCODING.ghostFaces, size);
     if (wrong) throw new UsageError(`--sizes: ${wrong}`);
     return size;
   });
@@ -87,8 +87,8 @@ export function studyMethods(args: Arguments): Promise<Measured> {
   if (against.length === 0 && Object.keys(own).length > 0)
     throw new UsageError('--against-up and --against-unit require --against');
   return run(args, async (_, engine, keys) => {
-    const { truth, warnings } = await truthOf(args, engine, keys, against);
-    const rows = await studySpaces(engine, keys, sequenceOptions(args), { methods, truth });
+    const { reference, warnings } = await referenceOf(args, engine, keys, against);
+    const rows = await studySpaces(engine, keys, sequenceOptions(args), { methods, reference });
     return {
       columns: SPACE_COLUMNS,
       rows: rows.map((row): Cell[] => [
@@ -131,19 +131,25 @@ const SPACE_COLUMNS = {
   note: 'why the method cannot move this shape, or between which keys it fitted no shapes',
 };
 
-async function truthOf(
+async function referenceOf(
   args: Arguments,
   engine: Engine,
   keys: Keys,
   against: string[],
-): Promise<{ truth: TrueShapes | null; warnings: string[] }> {
-  if (against.length === 0) return { truth: null, warnings: [] };
-  const truth = await readTruth(engine, keys, await readInputs(against), importOptions(args), againstOptions(args));
+): Promise<{ reference: ReferenceShapes | null; warnings: string[] }> {
+  if (against.length === 0) return { reference: null, warnings: [] };
+  const reference = await readReference(
+    engine,
+    keys,
+    await readInputs(against),
+    importOptions(args),
+    againstOptions(args),
+  );
   const sequence = await engine.createSequence(keys);
-  const compared = await comparedTimes(sequence, truth, {}, against[0]!);
-  const warnings = await doubtsOf(sequence, compared, truth);
+  const compared = await comparedTimes(sequence, reference, {}, against[0]!);
+  const warnings = await comparisonWarnings(sequence, compared, reference);
   sequence.dispose();
-  return { truth: { times: compared.times, shapes: compared.frames.map((frame) => frame!) }, warnings };
+  return { reference: { times: compared.times, shapes: compared.frames.map((frame) => frame!) }, warnings };
 }
 
 export function studyTables(args: Arguments): Promise<Measured> {

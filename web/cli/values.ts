@@ -1,5 +1,5 @@
 /** Parses the text of options. Each reader refuses invalid text with a UsageError that names the option. */
-import { MOST_KEYS, PIN_RADIUS } from '../engine/api/option-table.ts';
+import { MAX_KEYS, PIN_RADIUS } from '../engine/api/option-table.ts';
 import type { AddedTurns, PathKey, Pin } from '../engine/api/types.ts';
 import { UsageError } from './arguments.ts';
 
@@ -21,10 +21,10 @@ export const whole: Read<number> = (text, option) => {
 };
 
 export const wholeFrom =
-  (least: number): Read<number> =>
+  (min: number): Read<number> =>
   (text, option) => {
     const value = whole(text, option);
-    if (value < least) throw new UsageError(`${option}: must be at least ${least}, not ${value}`);
+    if (value < min) throw new UsageError(`${option}: must be at least ${min}, not ${value}`);
     return value;
   };
 
@@ -61,8 +61,8 @@ export const oneOf =
 /** KEY, counted from 1, to an index from 0. */
 export const key: Read<number> = (text, option) => {
   const value = wholeFrom(1)(text, option);
-  if (value > MOST_KEYS)
-    throw new UsageError(`${option}: there is no key ${value}, because a shape has at most ${MOST_KEYS} keys`);
+  if (value > MAX_KEYS)
+    throw new UsageError(`${option}: there is no key ${value}, because a shape has at most ${MAX_KEYS} keys`);
   return value - 1;
 };
 

@@ -28,9 +28,9 @@ export interface FlagRow extends Described {
 export interface NumberRow extends Described {
   kind: 'number';
   default: number | null;
-  least?: number;
+  min?: number;
   above?: number;
-  most: number;
+  max: number;
   whole?: boolean;
 }
 export interface ChoiceRow extends Described {
@@ -89,15 +89,15 @@ const OWN = {
     kind: 'number',
     default: 1,
     above: 0,
-    most: 100,
+    max: 100,
     concern: 'play',
     doc: 'Playback speed relative to the key times.',
   },
   currentTime: {
     kind: 'number',
     default: 0,
-    least: -1e9,
-    most: 1e9,
+    min: -1e9,
+    max: 1e9,
     concern: 'play',
     doc:
       'Current time, in seconds on the scale of the key times. It can be beyond the keys. The attribute sets the initial ' +
@@ -258,10 +258,10 @@ function rowOf(name: string, option: Option): Row {
   if (option.kind === 'flag') return { ...described, kind: 'flag', default: option.default === true };
   if (option.kind === 'animation') return { ...described, kind: 'text', default: '' };
   if (option.kind !== 'number' || name in SHAPED) return { ...described, kind: 'numbers', default: null };
-  const { above, most, default: usual = null, zero, whole = false } = option;
+  const { above, max, default: usual = null, zero, whole = false } = option;
   // The value 0 here corresponds to "off" on the command line.
-  const least = zero === undefined ? option.least : 0;
-  return { ...described, kind: 'number', default: usual, above, least, most, whole };
+  const min = zero === undefined ? option.min : 0;
+  return { ...described, kind: 'number', default: usual, above, min, max, whole };
 }
 
 function sentence(words: string): string {

@@ -57,16 +57,16 @@ export interface KeysLease extends Lease<Keys> {
 }
 
 /** With more numbered files than this, all become keys only if times are given. */
-const MOST_OWN_KEYS = 32;
+const MAX_OWN_KEYS = 32;
 
-/** Up to MOST_OWN_KEYS files, key times do not affect the import, so different times share one. */
+/** Up to MAX_OWN_KEYS files, key times do not affect the import, so different times share one. */
 export function takeKeys(
   { list, times }: Sources,
   base: string,
   options: ImportOptions,
   onProgress?: (part: Stage) => void,
 ): KeysLease {
-  const all: ImportOptions = times && list.length > MOST_OWN_KEYS ? { ...options, keyTimes: times } : options;
+  const all: ImportOptions = times && list.length > MAX_OWN_KEYS ? { ...options, keyTimes: times } : options;
   const key = JSON.stringify([list.map((source, index) => keyOf(source, index, base)), all]);
   const lease = imports.take(
     key,

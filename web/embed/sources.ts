@@ -6,10 +6,10 @@ import {
   decodedUri,
   extensionOf,
   fileName,
-  isMeantInFolder,
+  isImportable,
   isModel,
   resourceUris,
-  urlBeside,
+  siblingUrl,
 } from '../engine/api/paths.ts';
 import type { InputFile } from '../engine/api/types.ts';
 import type { Making } from './shared.ts';
@@ -116,7 +116,7 @@ async function fetchModel(url: URL, key: number, fetchOnce: Fetch): Promise<Read
   const { buffers, images } = resourceUris(parseGltf(new TextDecoder().decode(bytes)));
   // Fetches only companions in the model's own folder; the engine reports missing ones.
   const resources = [...new Set([...buffers, ...images])].flatMap((uri) => {
-    const resource = urlBeside(uri, url);
+    const resource = siblingUrl(uri, url);
     return resource === null ? [] : [{ name: beside(name, decodedUri(uri)), resource }];
   });
   const read = resources.map(async ({ name, resource }) => ({
@@ -180,7 +180,7 @@ function nameOf(name: string, key: number, bytes: Uint8Array, type: string): str
   if (isModel(name)) return name;
   const text = new TextDecoder().decode(bytes.subarray(0, HEAD));
   const kind = KINDS.find(([, start]) => start.test(text))?.[0];
-  const extension = kind ?? (/\bobj\b/.test(type) && !isMeantInFolder(name) ? 'obj' : '');
+  const extension = kind ?? (/\bobj\b/.test(type) && !isImportable(name) ? 'obj' : '');
   return `${name || `key-${key + 1}`}${extension && '.'}${extension}`;
 }
 

@@ -45,11 +45,11 @@ export function readAttribute(row: Row, text: string | null): Read {
 
 function numberOf(row: Extract<Row, { kind: 'number' }>, word: string): Read {
   const number = Number(word === '' ? NaN : word);
-  const { least = -Infinity, above = -Infinity, most, whole = false } = row;
+  const { min = -Infinity, above = -Infinity, max, whole = false } = row;
   if (!Number.isFinite(number)) return bad(row, 'must be a number');
   if (whole && !Number.isInteger(number)) return bad(row, 'must be a whole number');
-  if (number < least || number <= above || number > most)
-    return bad(row, `must be ${above > -Infinity ? `above ${above}` : `at least ${least}`} and at most ${most}`);
+  if (number < min || number <= above || number > max)
+    return bad(row, `must be ${above > -Infinity ? `above ${above}` : `at least ${min}`} and at most ${max}`);
   return good(number);
 }
 

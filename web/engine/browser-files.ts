@@ -8,7 +8,7 @@ import threadsUrl from '../../build/wasm/shapespline_threads.wasm?url';
 import workerUrl from './worker/engine.worker.ts?worker&url';
 import { notLoaded } from './api/errors.ts';
 import type { BrowserFiles } from './caller/browser-files.ts';
-import { PatientWorker } from './caller/patient-worker.ts';
+import { FallbackWorker } from './caller/fallback-worker.ts';
 
 /** A frame sandboxed without allow-same-origin has no origin. A worker there can only import from a host. */
 function workerAddress(): string {
@@ -25,6 +25,6 @@ export const files: BrowserFiles = {
   // The worker knows its own URLs.
   forWorker: () => ({}),
   startWorker: (name, loaded) =>
-    new PatientWorker([() => new Worker(workerAddress(), { type: 'module', name })], loaded),
+    new FallbackWorker([() => new Worker(workerAddress(), { type: 'module', name })], loaded),
   notStarted: (silent) => notLoaded('worker script', silent ? 'it does not respond' : 'it did not start'),
 };

@@ -1,5 +1,5 @@
 /** The engine in a browser. */
-import { besideCore, type EngineUrls, type FileUrls, urlsFor } from './api/configure.ts';
+import { siblingModule, type EngineUrls, type FileUrls, urlsFor } from './api/configure.ts';
 import type { Engine } from './api/api.ts';
 import { engineError } from './api/errors.ts';
 import { files } from './browser-files.ts';
@@ -16,8 +16,8 @@ export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const worker = ofPage(workerUrl);
   const compiled = onlyOnce(() => compileThreaded(threadsUrl));
   const module = compile(ofPage(wasmUrl) ?? files.wasm(), 'wasmUrl');
-  const filesWasm = ofPage(filesUrl) ?? besideCore(ofPage(wasmUrl), 'files');
-  const shellsWasm = ofPage(shellsUrl) ?? besideCore(ofPage(wasmUrl), 'shells');
+  const filesWasm = ofPage(filesUrl) ?? siblingModule(ofPage(wasmUrl), 'files');
+  const shellsWasm = ofPage(shellsUrl) ?? siblingModule(ofPage(wasmUrl), 'shells');
   const engine = new EngineClient({
     spawn: spawnFrom(module, worker, onLost),
     module,

@@ -4,7 +4,7 @@ import { availableParallelism } from 'node:os';
 import { pathToFileURL } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { Engine } from './api/api.ts';
-import { besideCore, type EngineUrls, type FileUrls, urlsFor } from './api/configure.ts';
+import { siblingModule, type EngineUrls, type FileUrls, urlsFor } from './api/configure.ts';
 import { EngineClient, onlyOnce } from './caller/engine.ts';
 import { engineError, messageOf } from './api/errors.ts';
 import { files } from './node-files.ts';
@@ -14,8 +14,8 @@ import { endedWorker, type Spawn } from './caller/worker-client.ts';
 /** The process stays alive while an engine has workers, so dispose of the engine. */
 export function createEngine({ onLost, ...own }: EngineUrls = {}): Engine {
   const { wasmUrl, filesUrl, shellsUrl, workerUrl, threadsUrl, dracoUrl } = urlsFor(own);
-  const filesWasm = fileUrl(filesUrl) ?? besideCore(fileUrl(wasmUrl), 'files') ?? files.filesWasm;
-  const shellsWasm = fileUrl(shellsUrl) ?? besideCore(fileUrl(wasmUrl), 'shells') ?? files.shellsWasm;
+  const filesWasm = fileUrl(filesUrl) ?? siblingModule(fileUrl(wasmUrl), 'files') ?? files.filesWasm;
+  const shellsWasm = fileUrl(shellsUrl) ?? siblingModule(fileUrl(wasmUrl), 'shells') ?? files.shellsWasm;
   const threads = threadsUrl === null ? null : (fileUrl(threadsUrl) ?? files.threads);
   return new EngineClient({
     spawn: spawnFrom(fileUrl(workerUrl) ?? files.worker, onLost),

@@ -15,7 +15,7 @@ export const AUTO_ORBIT: Readonly<CameraOrbit> = { theta: 0, phi: (75 * Math.PI)
 const ANGLES: Readonly<Record<string, number>> = { rad: 1, deg: Math.PI / 180, turn: 2 * Math.PI };
 const LENGTHS: Readonly<Record<string, number>> = { m: 1, cm: 0.01, mm: 0.001 };
 /** Least polar angle. At 0 the eye would look straight down, without an up direction. */
-const LEAST_PHI = 0.01;
+const MIN_PHI = 0.01;
 
 /** Parses an orbit, in which each value may be `auto`; null if invalid. */
 export function orbitOf(words: string): CameraOrbit | null {
@@ -26,7 +26,7 @@ export function orbitOf(words: string): CameraOrbit | null {
   );
   const distance = radius === 'auto' ? AUTO_ORBIT.radius : radiusOf(radius);
   if (angles.some(Number.isNaN) || !distance) return null;
-  const tilt = Math.min(Math.max(angles[1]!, LEAST_PHI), Math.PI - LEAST_PHI);
+  const tilt = Math.min(Math.max(angles[1]!, MIN_PHI), Math.PI - MIN_PHI);
   return { theta: angles[0]!, phi: tilt, radius: distance };
 }
 

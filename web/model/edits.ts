@@ -1,5 +1,5 @@
 /** Edits of the document: each takes a document and returns the next, or the same one if nothing changes. */
-import { MOST_TIME } from '../engine/api/option-table.ts';
+import { MAX_TIME } from '../engine/api/option-table.ts';
 import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
 import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
@@ -29,7 +29,7 @@ export function retimeKey(doc: Doc, index: number, time: number): Doc {
   if (
     !key ||
     key.time === time ||
-    !(Math.abs(time) <= MOST_TIME) ||
+    !(Math.abs(time) <= MAX_TIME) ||
     doc.keys.some((other, at) => at !== index && other.time === time)
   )
     return doc;
@@ -48,13 +48,13 @@ export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
 }
 
 /** Position for new keys: before the key of this number, or at this time. */
-export type KeyPlace = { before: number } | { time: number };
+export type InsertPosition = { before: number } | { time: number };
 
 /**
  * Times for new keys. A single key gets the requested time, if free. Several are spread evenly between their
  * neighbours; beyond the ends they use the keys' mean distance.
  */
-export function timesAt({ keys }: Doc, place: KeyPlace, count: number): number[] {
+export function timesAt({ keys }: Doc, place: InsertPosition, count: number): number[] {
   if ('time' in place && count === 1 && !isTaken(keys, place.time)) return [place.time];
   const at = 'before' in place ? place.before : keys.filter(({ time }) => time <= place.time).length;
   return timesBefore(keys, at, count);

@@ -32,7 +32,7 @@ export const SIZES = {
 } as const satisfies Record<string, PictureSize>;
 export type SizeName = 'window' | keyof typeof SIZES | 'own';
 /** Limits for either side. */
-export const [LEAST_PIXELS, MOST_PIXELS] = [16, 8192];
+export const [MIN_PIXELS, MAX_PIXELS] = [16, 8192];
 
 /** Choices of the dialog, stored for the next export while the page is open. */
 export interface ExportRequest {
@@ -101,12 +101,12 @@ export const DEFAULT_REQUEST: Readonly<ExportRequest> = {
 };
 
 export const MAX_FRAMES = 2000;
-export const MOST_SECONDS = 3600;
-const MOST_VIDEO_SECONDS = 600;
+export const MAX_SECONDS = 3600;
+const MAX_VIDEO_SECONDS = 600;
 const USUAL_RATE = 30;
 /** A GIF can represent this rate exactly, in hundredths of a second. */
 const USUAL_GIF_RATE = 25;
-const MOST_RATE = { mp4: 60, webm: 60, gif: 50 } as const satisfies Record<VideoFormat, number>;
+const MAX_RATE = { mp4: 60, webm: 60, gif: 50 } as const satisfies Record<VideoFormat, number>;
 
 /** Playback settings of the page. */
 export interface Playing {
@@ -157,7 +157,7 @@ export function exportNumbers(request: ExportRequest, playing: Playing, video: V
   const played = request.duration ?? length(range) / playing.speed;
   const wanted = isTurn(request) ? request.turn : played;
   const isVideo = isVideoRequest(request);
-  const seconds = clamp(wanted, 0.01, isVideo ? MOST_VIDEO_SECONDS : Infinity);
+  const seconds = clamp(wanted, 0.01, isVideo ? MAX_VIDEO_SECONDS : Infinity);
   const speed = length(range) / seconds;
   const of = { range, seconds, speed };
   return isVideo
@@ -171,7 +171,7 @@ type Frames = Pick<ExportNumbers, 'rate' | 'frames' | 'whole'>;
 function videoFrames(request: ExportRequest, playing: Playing, video: VideoFormat, seconds: number): Frames {
   const usual = video === 'gif' ? USUAL_GIF_RATE : USUAL_RATE;
   const own = video === 'gif' ? null : playing.own;
-  const rate = Math.min(request.rate ?? playing.fps ?? own ?? usual, MOST_RATE[video]);
+  const rate = Math.min(request.rate ?? playing.fps ?? own ?? usual, MAX_RATE[video]);
   const oneWay = Math.max(Math.round(seconds * rate), 1);
   return { rate, frames: goesBack(request) ? 2 * oneWay : oneWay, whole: false };
 }

@@ -19,7 +19,7 @@ export function frameAt(t: number, fps: number): number {
 }
 
 /** The frame shown at t: the last one that has begun, but not before `start`. */
-export function heldTime(t: number, fps: number | null, start: number): number {
+export function frameStartTime(t: number, fps: number | null, start: number): number {
   return fps === null ? t : Math.max(Math.floor(frameAt(t, fps)) / fps, start);
 }
 

@@ -1,6 +1,6 @@
 /** Pins of the document, where `stay` is a pose. Each edit returns the next list, or the same one. */
 import { PIN_RADIUS, MOTION } from '../engine/api/option-table.ts';
-import { wrongWith } from '../engine/api/options.ts';
+import { validationError } from '../engine/api/options.ts';
 import type { PathKey, Pin } from '../engine/api/types.ts';
 
 export type Pins = readonly Pin[];
@@ -127,7 +127,7 @@ export function pinsFromText(text: string): Pin[] | undefined {
     if (path) pin.path = path.split(',').map(pathKeyFrom);
     return pin;
   });
-  return wrongWith(MOTION.pins, pins) === null ? pins : undefined;
+  return validationError(MOTION.pins, pins) === null ? pins : undefined;
 }
 
 function pathKeyFrom(text: string): PathKey {

@@ -36,7 +36,7 @@ export type PlaygroundMessage =
 
 const BOUNDARIES: readonly Boundary[] = ['natural', 'hermite', 'periodic'];
 /** Upper limits for keys, coordinates and text length in our pages' messages. */
-const [MOST_KEYS, MOST_COORDINATES, LONGEST] = [4096, 64, 300];
+const [MAX_KEYS, MAX_COORDINATES, LONGEST] = [4096, 64, 300];
 
 /** A valid message from the channel, otherwise null. Any page of the same host can send messages. */
 export function messageFrom(data: unknown): PlaygroundMessage | null {
@@ -55,12 +55,12 @@ function isShape(value: unknown): value is SourceShape & Record<string, unknown>
   const isCoordinate = (one: unknown): boolean =>
     isRecord(one) && isWord(one['name']) && isWord(one['unit']) && isNumbers(one['values'], keys);
   const { coordinates } = value;
-  return Array.isArray(coordinates) && coordinates.length <= MOST_COORDINATES && coordinates.every(isCoordinate);
+  return Array.isArray(coordinates) && coordinates.length <= MAX_COORDINATES && coordinates.every(isCoordinate);
 }
 
 function isPassing(value: Record<string, unknown>): value is KeyPassing & Record<string, unknown> {
   const { times, tension, bias, boundary, startSpeed, endSpeed } = value;
-  if (!Array.isArray(times) || times.length > MOST_KEYS || !isNumbers(times, times.length)) return false;
+  if (!Array.isArray(times) || times.length > MAX_KEYS || !isNumbers(times, times.length)) return false;
   const ascending = times.length > 1 && times.every((time, i) => i === 0 || time > times[i - 1]!);
   const passed = isNumbers(tension, times.length) && isNumbers(bias, times.length);
   return ascending && passed && isNumbers([startSpeed, endSpeed], 2) && BOUNDARIES.includes(boundary as Boundary);

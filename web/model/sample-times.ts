@@ -1,5 +1,5 @@
 /** Times of the keys taken from an animation, in seconds of its own timeline. */
-import { MOST_SAMPLED } from '../engine/api/option-table.ts';
+import { MAX_SAMPLED } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import { clamp } from './time-scale.ts';
 
@@ -20,7 +20,7 @@ export function shortTime(t: number): string {
 /** Whether the keys are from the animation, rather than compared with it. */
 export function areSampled({ animation, animations, times }: KeysInfo): boolean {
   const span = animations[animation];
-  return span !== undefined && times.length <= MOST_SAMPLED && times.every((t) => t >= span.start && t <= span.end);
+  return span !== undefined && times.length <= MAX_SAMPLED && times.every((t) => t >= span.start && t <= span.end);
 }
 
 /** The times in a list, or the problem with it. */
@@ -36,6 +36,6 @@ export function readTimes(text: string, { start, end }: Span): number[] | string
   if (outside !== undefined)
     return `${shortTime(outside)} s is outside the animation, which runs from ${shortTime(start)} to ${shortTime(end)} s.`;
   if (new Set(times).size < 2) return 'Give at least two times.';
-  if (times.length > MOST_SAMPLED) return `Give at most ${MOST_SAMPLED} times.`;
+  if (times.length > MAX_SAMPLED) return `Give at most ${MAX_SAMPLED} times.`;
   return times.map((t) => clamp(t, start, end));
 }

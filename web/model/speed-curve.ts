@@ -15,7 +15,7 @@ export interface SpeedCurve extends MotionSpeed {
 
 /** Number of samples in total, and the minimum between two keys. */
 const SAMPLES = 240;
-const LEAST_SAMPLES = 6;
+const MIN_SAMPLES = 6;
 /** Distance from a key, relative to the range, where the speed of a piecewise linear motion jumps. */
 const NEAR = 1e-7;
 
@@ -27,7 +27,7 @@ export function speedTimes(range: Range, keyTimes: readonly number[]): number[] 
   return ends.slice(1).flatMap((end, i) => {
     const start = ends[i]!;
     if (end - start <= 4 * gap) return [];
-    const steps = Math.max(Math.round((SAMPLES * (end - start)) / (high - low)), LEAST_SAMPLES);
+    const steps = Math.max(Math.round((SAMPLES * (end - start)) / (high - low)), MIN_SAMPLES);
     const [from, to] = [start + gap, end - gap];
     return Array.from({ length: steps + 1 }, (_, step) => from + ((to - from) * step) / steps);
   });

@@ -17,30 +17,30 @@ export const SPEED_STEP = 0.05;
 const FASTEST = 10 * MAX_SPEED;
 
 /** Largest speed that can be typed, as in the engine. */
-export const TYPED_SPEED = MOTION.startSpeed.most;
+export const TYPED_SPEED = MOTION.startSpeed.max;
 
 export type Speeds = Readonly<Record<End, number>>;
 
 /** Largest speed offered by handles and sliders if neighbours give the tangents. */
-export const USUAL_MOST: Speeds = { start: MAX_SPEED, end: MAX_SPEED };
+export const USUAL_MAX_SPEEDS: Speeds = { start: MAX_SPEED, end: MAX_SPEED };
 
 /**
  * Largest speed offered at a key: equal to `MAX_SPEED` towards the neighbour if the tangent's shape is closer than the
  * neighbour. Distances from the key, in one unit; shape null: the neighbour gives the tangent.
  */
-export function mostSpeed(neighbour: number, shape: number | null): number {
+export function maxSpeed(neighbour: number, shape: number | null): number {
   if (shape === null || shape >= neighbour) return MAX_SPEED;
   return Math.min(Math.ceil((MAX_SPEED * neighbour) / shape), FASTEST);
 }
 
 /** The closest offered speed. */
-export function offeredSpeed(wanted: number, most = MAX_SPEED): number {
-  return Number(clamp(Math.round(wanted / SPEED_STEP) * SPEED_STEP, 0, most).toFixed(2));
+export function offeredSpeed(wanted: number, max = MAX_SPEED): number {
+  return Number(clamp(Math.round(wanted / SPEED_STEP) * SPEED_STEP, 0, max).toFixed(2));
 }
 
 /** The speed after this number of steps. */
-export function steppedSpeed(speed: number, steps: number, most = MAX_SPEED): number {
-  return offeredSpeed(offeredSpeed(speed, most) + steps * SPEED_STEP, most);
+export function steppedSpeed(speed: number, steps: number, max = MAX_SPEED): number {
+  return offeredSpeed(offeredSpeed(speed, max) + steps * SPEED_STEP, max);
 }
 
 export function formatSpeed(speed: number): string {

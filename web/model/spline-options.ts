@@ -11,10 +11,10 @@ export interface Edited {
 }
 
 /** The choice that rules out kept lengths. */
-export type RuledOut = 'ends' | 'held' | 'turns';
+export type Conflict = 'ends' | 'held' | 'turns';
 
 /** The choice that rules out shapes that keep lengths; null if they are possible. */
-export function whyNoLengths({ keys, motion }: Edited): RuledOut | null {
+export function keepLengthsConflict({ keys, motion }: Edited): Conflict | null {
   if (motion.boundary !== 'natural') return 'ends';
   if (holds({ ...motion, method: OWN_METHOD })) return 'held';
   return listsOf(keys.map(({ shaping }) => shaping)).turns.length > 0 ? 'turns' : null;
@@ -23,10 +23,10 @@ export function whyNoLengths({ keys, motion }: Edited): RuledOut | null {
 /** The number of shapes that keep lengths. A number that is ruled out stays in the document. */
 export function keptLengths(edited: Edited): number {
   const { method, keepLengths } = edited.motion;
-  return method !== OWN_METHOD || whyNoLengths(edited) ? DEFAULT_MOTION.keepLengths : keepLengths;
+  return method !== OWN_METHOD || keepLengthsConflict(edited) ? DEFAULT_MOTION.keepLengths : keepLengths;
 }
 
 /** Whether options change the motion from the published method. */
-export function departs(edited: Edited): boolean {
+export function departsFromPaper(edited: Edited): boolean {
   return holds(edited.motion) || keptLengths(edited) > 0;
 }

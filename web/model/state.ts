@@ -83,7 +83,7 @@ export interface View {
   film: boolean;
   /** Number of shapes in a film strip; null: chosen from the keys. */
   filmShapes: number | null;
-  /** Methods shown beside the main one, at most MOST_COMPARED. */
+  /** Methods shown beside the main one, at most MAX_COMPARED. */
   compare: Method[];
   /** Position of the divider between two motions, relative to the width; null: side by side. */
   split: number | null;
@@ -115,15 +115,15 @@ export interface AppState {
 }
 
 /** Limit for compared motions. A page has room for four views, including the motion itself. */
-export const MOST_COMPARED = 3;
+export const MAX_COMPARED = 3;
 /** Limit for onion skins on either side of the current time. */
-export const MOST_ONION_SKINS = 6;
+export const MAX_ONION_SKINS = 6;
 /** Least spacing of onion skins, in units of time. */
-export const LEAST_ONION_SPACING = 0.001;
+export const MIN_ONION_SPACING = 0.001;
 /** Colours of shapes before and after the current time. */
 export const ONION_COLOURS = { before: '#8a5cd6', after: '#d9622b' } as const;
 /** Limits for the shapes of a film strip. */
-export const [LEAST_FILM_SHAPES, MOST_FILM_SHAPES] = [4, 24];
+export const [MIN_FILM_SHAPES, MAX_FILM_SHAPES] = [4, 24];
 export const BOUNDARIES: readonly Boundary[] = MOTION.boundary.choices;
 /** Default number of ghost mesh faces, as in the paper. */
 export const GHOST_FACES = 2000;

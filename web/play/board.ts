@@ -14,8 +14,8 @@ import { bendingNumbers, curveNumbers, systemNumbers, weightNumbers } from './nu
 import { createCurveControls, createEndsChoice, createTools } from './panels.ts';
 import type { Panel } from './panels.ts';
 
-/** `real`: the panel that connects to the app. */
-export function createBoard(real: Panel, edits: Edits, onError: (error: unknown) => void): Part<HTMLElement> {
+/** `appConnection`: the panel that connects to the app. */
+export function createBoard(appConnection: Panel, edits: Edits, onError: (error: unknown) => void): Part<HTMLElement> {
   const figure = (options: Omit<FigureOptions, 'onError'>): Part<HTMLElement> => createFigure({ ...options, onError });
   const rate = (id: 'slope' | 'bend', title: string, derivative: 1 | 2): Part<HTMLElement> =>
     figure({
@@ -31,7 +31,7 @@ export function createBoard(real: Panel, edits: Edits, onError: (error: unknown)
       title: 'The curve',
       body: createCurveFigure(edits),
       tools: createTools(edits),
-      notice: ({ state, derived, touched }) => curveNotice(state, derived, touched),
+      notice: ({ state, derived, lastAction }) => curveNotice(state, derived, lastAction),
       numbers: ({ state, derived }) => curveNumbers(state, derived, 0),
     }),
     rate('slope', 'Slope', 1),
@@ -73,12 +73,12 @@ export function createBoard(real: Panel, edits: Edits, onError: (error: unknown)
         { class: 'board-side' },
         ...elementsOf(tables),
         h('section', { class: 'keys-as-numbers' }, h('h2', {}, 'Keys as numbers'), keys.element),
-        real.element,
+        appConnection.element,
       ),
     ),
     update(shown) {
       for (const part of [...pictures, ...tables, keys]) part.update(shown);
-      real.update(shown.state);
+      appConnection.update(shown.state);
     },
   };
 }

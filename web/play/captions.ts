@@ -41,13 +41,13 @@ export function axesOf({ plane, taken }: PlayState, id: FigureId): Axes {
 }
 
 /** Announces the current state to screen readers. */
-export function sentence({ state, derived: { times, bending }, touched }: Shown): string {
+export function sentence({ state, derived: { times, bending }, lastAction }: Shown): string {
   const { keys, selected, plane, time } = state;
   const key = keys[selected]!;
   const where = plane ? `${number(key.across)} across` : `time ${number(times[selected]!)}`;
-  const what = touched in LAYER_WORDS ? `${LAYER_WORDS[touched as keyof typeof LAYER_WORDS].name}. ` : '';
+  const what = lastAction in LAYER_WORDS ? `${LAYER_WORDS[lastAction as keyof typeof LAYER_WORDS].name}. ` : '';
   const at =
-    touched === 'time'
+    lastAction === 'time'
       ? `Time ${number(time)}. `
       : `Key ${selected + 1} of ${keys.length}: value ${number(key.value)}, ${where}. `;
   return `${what}${at}Total bending of the natural spline: ${number(bending.natural)}.`;

@@ -1,11 +1,11 @@
 /** The demonstration that plays until the first user action: a loop of scenes. */
 import { INITIAL, MAX_SAMPLES, MIN_SAMPLES, withKey } from './state.ts';
-import type { PlayState, Touched } from './state.ts';
+import type { PlayState, LastAction } from './state.ts';
 
 export interface Scene {
   seconds: number;
   /** Shows the sentence for this action. */
-  touched: Touched;
+  lastAction: LastAction;
   /** share: progress of the scene, from 0 to 1. */
   at(share: number): PlayState;
 }
@@ -18,11 +18,11 @@ const bobbing = (state: PlayState, share: number): PlayState =>
   withKey(state, 2, { value: INITIAL.keys[2]!.value + 0.22 * swing(share) });
 
 export const SCENES: readonly Scene[] = [
-  { seconds: 6, touched: 'linear', at: (share) => bobbing({ ...INITIAL, layers: ['linear'] }, share) },
-  { seconds: 6, touched: 'natural', at: (share) => bobbing({ ...INITIAL, layers: ['linear', 'natural'] }, share) },
+  { seconds: 6, lastAction: 'linear', at: (share) => bobbing({ ...INITIAL, layers: ['linear'] }, share) },
+  { seconds: 6, lastAction: 'natural', at: (share) => bobbing({ ...INITIAL, layers: ['linear', 'natural'] }, share) },
   {
     seconds: 8,
-    touched: 'samples',
+    lastAction: 'samples',
     at: (share) => ({
       ...INITIAL,
       layers: ['natural', 'samples'],
@@ -31,12 +31,12 @@ export const SCENES: readonly Scene[] = [
   },
   {
     seconds: 6,
-    touched: 'catmull-rom',
+    lastAction: 'catmull-rom',
     at: (share) => bobbing({ ...INITIAL, layers: ['natural', 'catmull-rom'] }, share),
   },
   {
     seconds: 8,
-    touched: 'hermite',
+    lastAction: 'hermite',
     at: (share) => ({
       ...INITIAL,
       layers: ['natural', 'hermite'],
@@ -44,10 +44,10 @@ export const SCENES: readonly Scene[] = [
       speeds: [1 + swing(share), 1 - swing(share)],
     }),
   },
-  { seconds: 8, touched: 'time', at: (share) => ({ ...INITIAL, time: 0.5 - 0.62 * Math.cos(share * 2 * Math.PI) }) },
+  { seconds: 8, lastAction: 'time', at: (share) => ({ ...INITIAL, time: 0.5 - 0.62 * Math.cos(share * 2 * Math.PI) }) },
   {
     seconds: 9,
-    touched: 'spacing',
+    lastAction: 'spacing',
     at: (share) => ({
       ...INITIAL,
       plane: true,

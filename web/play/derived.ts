@@ -4,13 +4,13 @@ import { totalBending, valueAt } from './splines/curve.ts';
 import type { Curve, Derivative } from './splines/curve.ts';
 import { fitCurve, weightCurves } from './splines/fit.ts';
 import type { CurveKind, FitOptions } from './splines/fit.ts';
-import { MOST_SAMPLES, curveThrough, leastBending, leastSamples } from './splines/least-bending.ts';
+import { MAX_SOLVED_SAMPLES, curveThrough, minimiseBending, minSamples } from './splines/minimise-bending.ts';
 import { slopeSystem } from './splines/slopes.ts';
 import type { Data } from './splines/slopes.ts';
 import type { System } from './splines/solve.ts';
 import { solveDense } from './splines/solve.ts';
 import { LAYERS } from './state.ts';
-import type { Layer, PlayState, Touched } from './state.ts';
+import type { Layer, PlayState, LastAction } from './state.ts';
 
 /** One curve per coordinate: value, and in two dimensions also across. */
 export type Curves = readonly Curve[];
@@ -21,7 +21,7 @@ export interface Derived {
   range: readonly [number, number];
   /** Curves of all layers except the samples, shown or not. */
   curves: Record<CurveKind, Curves>;
-  /** The direct minimiser, one per coordinate; empty if it needs more than MOST_SAMPLES. */
+  /** The direct minimiser, one per coordinate; empty if it needs more than MAX_SOLVED_SAMPLES. */
   samples: Data[];
   /** The smoothest curve through these samples and the keys, one per coordinate. */
   sampled: Curves;
@@ -39,7 +39,7 @@ export interface Derived {
 export interface Shown {
   state: PlayState;
   derived: Derived;
-  touched: Touched;
+  lastAction: LastAction;
   /** A key to highlight in addition to the selected one; -1: none. */
   lit: number;
 }
@@ -55,9 +55,9 @@ export function derive(state: PlayState): Derived {
     CurveKind,
     Curves
   >;
-  const sampleCount = Math.max(state.samples, leastSamples(times));
-  const solved = sampleCount <= MOST_SAMPLES ? coordinates : [];
-  const samples = solved.map((values) => leastBending({ times, values }, sampleCount));
+  const sampleCount = Math.max(state.samples, minSamples(times));
+  const solved = sampleCount <= MAX_SOLVED_SAMPLES ? coordinates : [];
+  const samples = solved.map((values) => minimiseBending({ times, values }, sampleCount));
   const sampled = samples.map((one, i) => curveThrough(one, { times, values: coordinates[i]! }));
   const sum = (numbers: number[]): number => numbers.reduce((total, number) => total + number, 0);
   const intervals = times.length - 1;

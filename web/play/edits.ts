@@ -6,7 +6,7 @@ import type { KeysTableEvents } from './figures/keys-table.ts';
 import type { PanelEvents } from './panels.ts';
 import { valueAt } from './splines/curve.ts';
 import { addKey, moveKey, removeKey, setEnds, setShaping, showLayer, shownTimes, withKey } from './state.ts';
-import type { Layer, PlayState, Touched } from './state.ts';
+import type { Layer, PlayState, LastAction } from './state.ts';
 
 export interface Edits extends PanelEvents, CurveFigureEvents, KeysTableEvents {
   onLayer(layer: Layer, on: boolean): void;
@@ -17,10 +17,10 @@ export interface Edits extends PanelEvents, CurveFigureEvents, KeysTableEvents {
 
 export function createEdits(
   get: () => PlayState,
-  change: (state: PlayState, touched: Touched) => void,
+  change: (state: PlayState, lastAction: LastAction) => void,
   onLit: Edits['onLit'],
 ): Edits {
-  const set = (part: Partial<PlayState>, touched: Touched): void => change({ ...get(), ...part }, touched);
+  const set = (part: Partial<PlayState>, lastAction: LastAction): void => change({ ...get(), ...part }, lastAction);
   const remove = (key: number): void => change(removeKey(get(), key), 'key');
   return {
     onPlane: (plane) => set({ plane }, 'plane'),

@@ -1,11 +1,20 @@
 /** Stores the playground's state in the page's URL and reads it. Leaves out everything invalid. */
 import type { Spacing } from '../model/key-spacing.ts';
 import { SPACINGS } from '../model/key-spacing.ts';
-import { leftOutSentence } from '../model/left-out.ts';
+import { ignoredValuesSentence } from '../model/ignored-link-values.ts';
 import { TYPED_SPEED } from '../model/speeds.ts';
 import { clamp } from '../model/time-scale.ts';
 import type { Ends } from './splines/slopes.ts';
-import { INITIAL, LAYERS, MAX_KEYS, MAX_SAMPLES, MIN_SAMPLES, MOST, shownTimes, wrongWithKeys } from './state.ts';
+import {
+  INITIAL,
+  LAYERS,
+  MAX_KEYS,
+  MAX_SAMPLES,
+  MIN_SAMPLES,
+  MAX_VALUE,
+  shownTimes,
+  keysValidationError,
+} from './state.ts';
 import type { Layer, PlayKey, PlayState } from './state.ts';
 
 const ENDS: readonly Ends[] = ['natural', 'hermite', 'periodic'];
@@ -16,7 +25,7 @@ const LONGEST = 60;
 export interface Linked {
   state: PlayState;
   /** A sentence about left-out parts of the link, or null. */
-  leftOut: string | null;
+  ignoredValues: string | null;
 }
 
 /** The fragment without '#': the differences from the initial state. */
@@ -51,7 +60,7 @@ export function readLink(hash: string): Linked | null {
     return value;
   };
   const linkedKeys = take('keys', readKeys);
-  const wrong = linkedKeys ? wrongWithKeys(linkedKeys) : null;
+  const wrong = linkedKeys ? keysValidationError(linkedKeys) : null;
   if (wrong) unfit.push(`keys (${wrong})`);
   const keys = linkedKeys && !wrong ? linkedKeys : INITIAL.keys;
   const selected = take('key', (text) => whole(text, 1, keys.length)) ?? Math.min(INITIAL.selected + 1, keys.length);
@@ -70,7 +79,7 @@ export function readLink(hash: string): Linked | null {
   };
   const [name, unit = ''] = (params.get('of') ?? '').slice(0, 2 * LONGEST).split('|');
   if (name && keys !== INITIAL.keys) state.taken = { from: '', shape: '', name, unit, keys: keys.length };
-  return { state, leftOut: leftOutSentence(unfit) };
+  return { state, ignoredValues: ignoredValuesSentence(unfit) };
 }
 
 function keyText({ time, value, across, tension, bias }: PlayKey): string {
@@ -103,12 +112,12 @@ function readSpeeds(text: string): [number, number] | undefined {
 
 function fitting(text: string): number | undefined {
   const value = Number(text);
-  return Math.abs(value) <= MOST ? value : undefined;
+  return Math.abs(value) <= MAX_VALUE ? value : undefined;
 }
 
-function whole(text: string, least: number, most: number): number | undefined {
+function whole(text: string, min: number, max: number): number | undefined {
   const value = Number(text);
-  return Number.isInteger(value) && value >= least && value <= most ? value : undefined;
+  return Number.isInteger(value) && value >= min && value <= max ? value : undefined;
 }
 
 function oneOf<T extends string>(text: string, values: readonly T[]): T | undefined {

@@ -4,24 +4,24 @@ import { createThemeButton } from '../ui/theme-button.ts';
 import { createOffer } from '../ui/messages.ts';
 import { createTheme } from '../ui/theme.ts';
 import { createPlayPage } from './page.ts';
-import { createReal } from './real.ts';
+import { createAppConnection } from './app-connection.ts';
 
 const reducedMotion = window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const newVersion = createOffer('new-version');
 const problem = createOffer('problem');
 const theme = createTheme(() => themeButton.update(theme.theme()));
 const themeButton = createThemeButton(() => theme.next());
-const real = createReal({
+const appConnection = createAppConnection({
   get: () => page.get(),
   change: (state) => page.change(state, 'natural'),
 });
 const page = createPlayPage({
   notices: [newVersion.element, problem.element],
-  real,
+  appConnection,
   theme: themeButton.element,
   playing: !reducedMotion,
   onError: (error) => problem.offer({ message: error instanceof Error ? error.message : String(error) }),
-  onLeftOut: (message) => problem.offer(message === null ? null : { message }),
+  onIgnoredValues: (message) => problem.offer(message === null ? null : { message }),
 });
 themeButton.update(theme.theme());
 // Inside another page, the playground leaves out parts that this page has.

@@ -4,14 +4,14 @@ import { largestJump } from './figures/rate-figure.ts';
 import { LAYER_WORDS, number } from './figures/words.ts';
 import { valueAt } from './splines/curve.ts';
 import type { Curve } from './splines/curve.ts';
-import { MOST_SAMPLES } from './splines/least-bending.ts';
-import type { Layer, PlayState, Touched } from './state.ts';
+import { MAX_SOLVED_SAMPLES } from './splines/minimise-bending.ts';
+import type { Layer, PlayState, LastAction } from './state.ts';
 
-export function curveNotice(state: PlayState, derived: Derived, touched: Touched): string {
+export function curveNotice(state: PlayState, derived: Derived, lastAction: LastAction): string {
   const { curves, samples, sampleCount, times } = derived;
   const { selected, layers } = state;
   const unit = state.taken?.unit ?? '';
-  switch (touched) {
+  switch (lastAction) {
     case 'linear':
       return 'Straight lines are the shortest path from key to key, but turn sharply at every key.';
     case 'natural':
@@ -104,7 +104,7 @@ export function rateNotice({ layers }: PlayState, derived: Derived, derivative: 
 }
 
 function tooManySamples({ sampleCount }: Derived): string {
-  return `Brute force is not shown. Two keys are so close in time that it would need ${sampleCount} samples, but this page solves for at most ${MOST_SAMPLES}. Move these keys apart.`;
+  return `Brute force is not shown. Two keys are so close in time that it would need ${sampleCount} samples, but this page solves for at most ${MAX_SOLVED_SAMPLES}. Move these keys apart.`;
 }
 
 export function bendingNotice({ layers }: PlayState, derived: Derived): string {

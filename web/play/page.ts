@@ -12,35 +12,42 @@ import type { Panel } from './panels.ts';
 import { createPlayer } from './player.ts';
 import type { Player } from './player.ts';
 import { INITIAL } from './state.ts';
-import type { PlayState, Touched } from './state.ts';
+import type { PlayState, LastAction } from './state.ts';
 
 export interface PageParts {
   /** Elements at the top of the page, such as messages. */
   notices: readonly HTMLElement[];
   /** The panel that connects to the app, for a coordinate of a real shape. */
-  real: Panel;
+  appConnection: Panel;
   theme: HTMLElement;
   /** Whether the demonstration starts by itself. */
   playing: boolean;
   onError(error: unknown): void;
   /** A sentence about parts of the link that cannot be shown; null for none. */
-  onLeftOut(sentence: string | null): void;
+  onIgnoredValues(sentence: string | null): void;
 }
 
 export interface PlayPage {
   element: HTMLElement;
   get(): PlayState;
   /** Sets a state as if by the user. */
-  change(state: PlayState, touched: Touched): void;
+  change(state: PlayState, lastAction: LastAction): void;
 }
 
 const SAY_MS = 600;
 const LINK_MS = 300;
 
-export function createPlayPage({ notices, real, theme, playing, onError, onLeftOut }: PageParts): PlayPage {
+export function createPlayPage({
+  notices,
+  appConnection,
+  theme,
+  playing,
+  onError,
+  onIgnoredValues,
+}: PageParts): PlayPage {
   const opened = readLink(location.hash);
   const first = opened?.state ?? INITIAL;
-  let shown: Shown = { state: first, derived: derive(first), touched: 'key', lit: -1 };
+  let shown: Shown = { state: first, derived: derive(first), lastAction: 'key', lit: -1 };
   let frame = 0;
   const draw = (): void => {
     frame = 0;
@@ -50,12 +57,13 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
     shown = { ...shown, ...next };
     if (frame === 0) frame = requestAnimationFrame(draw);
   };
-  const showState = (state: PlayState, touched: Touched): void => show({ state, touched, derived: derive(state) });
+  const showState = (state: PlayState, lastAction: LastAction): void =>
+    show({ state, lastAction, derived: derive(state) });
   const get = (): PlayState => shown.state;
-  const change = (state: PlayState, touched: Touched): void => {
+  const change = (state: PlayState, lastAction: LastAction): void => {
     player.stop();
-    if (state === shown.state && touched === shown.touched) return;
-    showState(state, touched);
+    if (state === shown.state && lastAction === shown.lastAction) return;
+    showState(state, lastAction);
     sayLater();
     linkLater();
   };
@@ -67,7 +75,7 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
   });
   const player = createPlayer(showState);
   const edits = createEdits(get, change, (lit) => lit !== shown.lit && show({ lit }));
-  const board = createBoard(real, edits, onError);
+  const board = createBoard(appConnection, edits, onError);
   const lead = createLead(player, () => change(INITIAL, 'natural'));
   const main = h('main', { class: 'play-main' }, lead, board.element, said);
   // A press or a key on the page ends the demonstration, except on its own button.
@@ -78,10 +86,10 @@ export function createPlayPage({ notices, real, theme, playing, onError, onLeftO
   window.addEventListener('hashchange', () => {
     const linked = readLink(location.hash);
     if (linked) change(linked.state, 'key');
-    onLeftOut(linked?.leftOut ?? null);
+    onIgnoredValues(linked?.ignoredValues ?? null);
   });
   if (playing && location.hash.length < 2) player.start();
-  if (opened) onLeftOut(opened.leftOut);
+  if (opened) onIgnoredValues(opened.ignoredValues);
   show({});
   const toast = createToast();
   main.addEventListener(REFUSED, ({ detail }: CustomEventInit<string>) => toast.say(detail ?? ''));

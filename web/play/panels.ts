@@ -7,7 +7,7 @@ import type { End } from '../plots/end-handle.ts';
 import { ENDS_WORDS } from './figures/words.ts';
 import type { Ends } from './splines/slopes.ts';
 import type { PlayState } from './state.ts';
-import { MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES, MOST_SPEED } from './state.ts';
+import { MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES, MAX_SPEED } from './state.ts';
 
 export interface PanelEvents {
   onPlane(plane: boolean): void;
@@ -96,7 +96,7 @@ export function createCurveControls(events: PanelEvents): Panel {
       label,
       testId,
       min: 0,
-      max: MOST_SPEED,
+      max: MAX_SPEED,
       typedMax: TYPED_SPEED,
       step: 0.05,
       fallback: 1,

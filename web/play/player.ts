@@ -4,7 +4,7 @@ import { h, setAttribute, setHidden, setText } from '../ui/dom.ts';
 import { setIcon } from '../ui/icons.ts';
 import { createDemonstration, SCENES } from './demonstration.ts';
 import type { Demonstration } from './demonstration.ts';
-import type { PlayState, Touched } from './state.ts';
+import type { PlayState, LastAction } from './state.ts';
 
 export interface Player extends Pick<Demonstration, 'start' | 'stop'> {
   button: HTMLButtonElement;
@@ -12,10 +12,10 @@ export interface Player extends Pick<Demonstration, 'start' | 'stop'> {
   scene: HTMLElement;
 }
 
-export function createPlayer(show: (state: PlayState, touched: Touched) => void): Player {
+export function createPlayer(show: (state: PlayState, lastAction: LastAction) => void): Player {
   const scene = h('span', { class: 'scene', 'data-testid': 'scene', hidden: true });
-  const demonstration = createDemonstration((next, { touched }, index) => {
-    show(next, touched);
+  const demonstration = createDemonstration((next, { lastAction }, index) => {
+    show(next, lastAction);
     setText(scene, `${index + 1} of ${SCENES.length}`);
   });
   const toggle = button({

@@ -21,7 +21,7 @@ export const LAYERS = ['linear', 'natural', 'samples', 'catmull-rom', 'hermite',
 export type Layer = (typeof LAYERS)[number];
 
 /** The last user action. */
-export type Touched = 'key' | 'plane' | 'spacing' | 'shaping' | 'speed' | 'samples' | 'time' | Layer;
+export type LastAction = 'key' | 'plane' | 'spacing' | 'shaping' | 'speed' | 'samples' | 'time' | Layer;
 
 /** A coordinate of a shape that is open in the app. */
 export interface CoordinateSource {
@@ -55,17 +55,17 @@ export const MAX_KEYS = 12;
 export const MIN_SAMPLES = 5;
 export const MAX_SAMPLES = 60;
 /** Largest speed of handles and sliders; higher speeds can be typed. */
-export const MOST_SPEED = 4;
+export const MAX_SPEED = 4;
 /** Smallest interval between two keys during dragging, relative to the whole time. */
-const LEAST_GAP = 0.02;
+const MIN_GAP = 0.02;
 /** Shown time before and after the keys, relative to the whole. */
 const MARGIN = 0.2;
 /** Larger times and values are not shown. */
-export const MOST = 1e6;
+export const MAX_VALUE = 1e6;
 /** Smallest time from the first to the last key, relative to the largest absolute time, or to 1 if that is smaller. */
-const LEAST_SPAN = 1e-3;
+const MIN_SPAN = 1e-3;
 /** Smallest interval between two keys, relative to the whole time. Below it, slopes are mostly rounding errors. */
-const LEAST_SHARE = 1e-6;
+const MIN_SHARE = 1e-6;
 
 const plain = (time: number, value: number, across: number): PlayKey => ({ time, value, across, tension: 0, bias: 0 });
 
@@ -88,23 +88,23 @@ export function shownTimes([start, end]: readonly [number, number]): [number, nu
 }
 
 /** The reason why these keys cannot be shown, or null. */
-export function wrongWithKeys(keys: readonly PlayKey[]): string | null {
+export function keysValidationError(keys: readonly PlayKey[]): string | null {
   if (keys.length < MIN_KEYS || keys.length > MAX_KEYS) return `there must be ${MIN_KEYS} to ${MAX_KEYS} keys`;
   const within = (most: number, ...numbers: number[]): boolean => numbers.every((one) => Math.abs(one) <= most);
-  if (!keys.every(({ time, value, across }) => within(MOST, time, value, across)))
-    return `times and values must be numbers from ${-MOST} to ${MOST}`;
+  if (!keys.every(({ time, value, across }) => within(MAX_VALUE, time, value, across)))
+    return `times and values must be numbers from ${-MAX_VALUE} to ${MAX_VALUE}`;
   if (!keys.every(({ tension, bias }) => within(1, tension, bias))) return 'tension and bias must be from -1 to 1';
   const times = keys.map(({ time }) => time);
   const span = times.at(-1)! - times[0]!;
-  if (!(span >= LEAST_SPAN * Math.max(1, ...times.map(Math.abs)))) return 'the last key must be later than the first';
-  const close = times.findIndex((time, i) => i > 0 && !(time - times[i - 1]! >= LEAST_SHARE * span));
+  if (!(span >= MIN_SPAN * Math.max(1, ...times.map(Math.abs)))) return 'the last key must be later than the first';
+  const close = times.findIndex((time, i) => i > 0 && !(time - times[i - 1]! >= MIN_SHARE * span));
   return close < 0 ? null : `key ${close + 1} must be later than key ${close}`;
 }
 
 export function withKey(state: PlayState, index: number, change: Partial<PlayKey>): PlayState {
   const changed = (key: PlayKey): PlayKey => {
     const { value, across, ...rest } = { ...key, ...change };
-    return { ...rest, value: clamp(value, -MOST, MOST), across: clamp(across, -MOST, MOST) };
+    return { ...rest, value: clamp(value, -MAX_VALUE, MAX_VALUE), across: clamp(across, -MAX_VALUE, MAX_VALUE) };
   };
   return { ...state, keys: state.keys.map((key, at) => (at === index ? changed(key) : key)) };
 }
@@ -119,7 +119,7 @@ export function moveKey(state: PlayState, index: number, to: { time?: number; va
   const [before, after] = [keys[index - 1], keys[index + 1]];
   // The first and last key keep their times, so the whole time does not change.
   if (!before || !after) return withKey(state, index, { value: to.value });
-  const gap = Math.min(LEAST_GAP * (keys.at(-1)!.time - keys[0]!.time), (after.time - before.time) / 3);
+  const gap = Math.min(MIN_GAP * (keys.at(-1)!.time - keys[0]!.time), (after.time - before.time) / 3);
   return withKey(state, index, { value: to.value, time: clamp(time, before.time + gap, after.time - gap) });
 }
 
@@ -131,7 +131,7 @@ export function addKey(state: PlayState, at: (time: number) => { value: number; 
   const time = (keys[index]!.time + keys[index + 1]!.time) / 2;
   const added = { time, ...at(time), tension: 0, bias: 0 };
   const more = [...keys.slice(0, index + 1), added, ...keys.slice(index + 1)];
-  return wrongWithKeys(more) ? state : { ...state, keys: more, selected: index + 1, taken: null };
+  return keysValidationError(more) ? state : { ...state, keys: more, selected: index + 1, taken: null };
 }
 
 export function removeKey(state: PlayState, index: number): PlayState {

@@ -1,5 +1,5 @@
 /** Playback: advances the time once per screen refresh. A whole frame is held until the next begins. */
-import { heldTime, loopRange, playRange } from '../model/frames.ts';
+import { frameStartTime, loopRange, playRange } from '../model/frames.ts';
 import type { Play } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { tick } from './loop-clock.ts';
@@ -64,7 +64,7 @@ export class Player implements Clock {
     let at = { time: this.reached, direction: this.direction, playing: true };
     for (let ticks = this.tick; ticks < later && at.playing; ticks += 1)
       at = tick({ ...at, step, range, loop: play.loop, periodic });
-    return heldTime(at.time, play.fps, range[0]);
+    return frameStartTime(at.time, play.fps, range[0]);
   }
 
   private jump(time: number): void {
@@ -81,7 +81,7 @@ export class Player implements Clock {
   }
 
   private lastShown(range: Range, { fps }: Play): number {
-    return heldTime(range[1], fps, range[0]);
+    return frameStartTime(range[1], fps, range[0]);
   }
 
   private step(): void {
@@ -97,7 +97,7 @@ export class Player implements Clock {
     this.direction = next.direction;
     this.reached = next.time;
     this.frame = next.playing ? requestAnimationFrame(() => this.step()) : 0;
-    const shown = heldTime(next.time, play.fps, range[0]);
+    const shown = frameStartTime(next.time, play.fps, range[0]);
     const same = shown === this.shown && next.playing;
     this.shown = shown;
     if (!same) this.move(shown, next.playing);

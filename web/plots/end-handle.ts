@@ -29,12 +29,12 @@ export interface Placed {
 export interface EndHandle {
   element: SVGGElement;
   place(placed: Placed | null): void;
-  /** `most`: the largest offered speed. Speed null: no handle. */
-  setSpeed(speed: number | null, most: number): void;
+  /** `max`: the largest offered speed. Speed null: no handle. */
+  setSpeed(speed: number | null, max: number): void;
 }
 
 /** A handle whose longest length is below this could not be dragged. */
-const LEAST_LENGTH = 56;
+const MIN_LENGTH = 56;
 /** Distance between the grip and the plot's edge. */
 const EDGE = 10;
 
@@ -56,19 +56,19 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
   let at: Placed | null = null;
   let placed: Placed | null = null;
   let speed: number | null = null;
-  let most = 1;
+  let max = 1;
 
   const draw = (): void => {
     element.setAttribute('display', placed && speed !== null ? 'inline' : 'none');
     if (!placed || speed === null) return;
     const [x1, y1] = placed.from;
-    const length = Math.min(Math.max(speed, 0), most);
+    const length = Math.min(Math.max(speed, 0), max);
     const [x2, y2] = [x1 + placed.unit[0] * length, y1 + placed.unit[1] * length];
     set(stem, { x1, y1, x2, y2 });
     for (const circle of [grip, reach]) set(circle, { cx: x2, cy: y2 });
     set(value, beside([x2, y2], placed.unit));
     value.textContent = events.words(speed);
-    element.setAttribute('aria-valuemax', String(most));
+    element.setAttribute('aria-valuemax', String(max));
     element.setAttribute('aria-valuenow', String(Number(speed.toFixed(6))));
     element.setAttribute('aria-valuetext', events.words(speed));
   };
@@ -90,13 +90,13 @@ export function createEndHandle(end: End, picture: SVGSVGElement, events: EndHan
     element,
     place(next) {
       at = next;
-      placed = at && usable(at, most);
+      placed = at && usable(at, max);
       draw();
     },
-    setSpeed(next, nextMost) {
-      if (next === speed && nextMost === most) return;
-      [speed, most] = [next, nextMost];
-      placed = at && usable(at, most);
+    setSpeed(next, nextMax) {
+      if (next === speed && nextMax === max) return;
+      [speed, max] = [next, nextMax];
+      placed = at && usable(at, max);
       draw();
     },
   };
@@ -113,15 +113,15 @@ function beside([x, y]: Vector, [ux, uy]: Vector): { x: number; y: number } {
  * A handle that can be dragged and stays inside the plot at its longest; null if the tangent has no direction in the
  * plane.
  */
-function usable(placed: Placed, most: number): Placed | null {
+function usable(placed: Placed, max: number): Placed | null {
   const { from, unit, width, height } = placed;
   const length = Math.hypot(...unit);
   if (!(length > 1e-6)) return null;
   const room = [
     [from[0], unit[0], width],
     [from[1], unit[1], height],
-  ].map(([at, step, size]) => (step === 0 ? Infinity : ((step! > 0 ? size! - EDGE : EDGE) - at!) / step!) / most);
-  const scale = Math.min(Math.max(1, LEAST_LENGTH / (length * most)), ...room.map((share) => Math.max(share, 0)));
+  ].map(([at, step, size]) => (step === 0 ? Infinity : ((step! > 0 ? size! - EDGE : EDGE) - at!) / step!) / max);
+  const scale = Math.min(Math.max(1, MIN_LENGTH / (length * max)), ...room.map((share) => Math.max(share, 0)));
   return { ...placed, unit: [unit[0] * scale, unit[1] * scale] };
 }
 

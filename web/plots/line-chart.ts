@@ -22,7 +22,7 @@ export interface LineChartData {
   /** The range of the keys; outside it the curve is extrapolated. */
   range: readonly [number, number];
   /** Smallest span of the vertical axis, so noise does not fill the plot. */
-  leastSpan?: number;
+  minSpan?: number;
   /** A value that is always visible. */
   include?: number;
   /** Lower end of a logarithmic vertical axis; lower values lie on the edge. null: linear. */
@@ -169,20 +169,20 @@ interface Axis {
 }
 
 function vertical(data: LineChartData): Axis {
-  const { floor, leastSpan = 0 } = data;
+  const { floor, minSpan = 0 } = data;
   const span = followed(data);
   if (floor) {
     const y = logScale([floor, span[1] * (span[1] / floor) ** 0.08], HEIGHT - BOTTOM, TOP);
     const label = (value: number): string => `${value === floor ? '≤ ' : ''}${written(value.toExponential(0))}`;
     return { y, levels: decades(y.domain, 3).map((value) => ({ value, label: label(value) })) };
   }
-  const around = padded(span, 0.08, Math.max(0, (leastSpan - (span[1] - span[0])) / 2));
+  const around = padded(span, 0.08, Math.max(0, (minSpan - (span[1] - span[0])) / 2));
   const y = linearScale(around, HEIGHT - BOTTOM, TOP);
   return { y, levels: ticks(y.domain, 3).map((value) => ({ value, label: tickLabel(value) })) };
 }
 
 /** Lowest and highest visible value; values far off beyond the keys are cut off. */
-function followed({ times, series, range: [start, end], include, leastSpan = 0 }: LineChartData): [number, number] {
+function followed({ times, series, range: [start, end], include, minSpan = 0 }: LineChartData): [number, number] {
   const spanOf = (isIn: (t: number) => boolean): [number, number] =>
     extent([
       ...series.flatMap(({ values }) => values.filter((_, index) => isIn(times[index]!))),
@@ -190,7 +190,7 @@ function followed({ times, series, range: [start, end], include, leastSpan = 0 }
     ]);
   const [low, high] = spanOf((t) => t >= start && t <= end);
   const [least, most] = spanOf(() => true);
-  const room = Math.max(high - low, leastSpan, FOLLOWED * Math.max(high, -low));
+  const room = Math.max(high - low, minSpan, FOLLOWED * Math.max(high, -low));
   return [Math.max(least, low - room), Math.min(most, high + room)];
 }
 

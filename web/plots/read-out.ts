@@ -21,7 +21,7 @@ const LINE = 12;
 const PAD = 5;
 const SAMPLE = 12;
 /** With more curves than this, only the topmost are shown. */
-const MOST = 6;
+const MAX_CURVES = 6;
 
 export function createReadOut(room: Room): ReadOut {
   const element = make('g', { class: 'read-out', 'aria-hidden': 'true' });
@@ -33,7 +33,7 @@ export function createReadOut(room: Room): ReadOut {
       const at = nearest(data.times, t);
       const time = data.times[at]!;
       const place = x(time);
-      const curves = data.series.filter(({ values }) => Number.isFinite(values[at])).slice(-MOST);
+      const curves = data.series.filter(({ values }) => Number.isFinite(values[at])).slice(-MAX_CURVES);
       const words = make('g', {});
       words.append(text('read-time', PAD, LINE, `${Number(time.toFixed(3))} s`));
       curves.forEach(({ label, values, style }, index) => {

@@ -63,7 +63,7 @@ export interface ShapePlanePlot {
   setPath(points: readonly Vector[] | null): void;
   setDrawing(on: boolean): void;
   /** Length of the handles until the curve is computed again, and their largest length. */
-  setSpeeds(speeds: Readonly<Record<End, number>> | null, most: Readonly<Record<End, number>>): void;
+  setSpeeds(speeds: Readonly<Record<End, number>> | null, max: Readonly<Record<End, number>>): void;
 }
 
 const EXTRAPOLATED = 'extrapolated';
@@ -128,8 +128,8 @@ export function createShapePlane(events: ShapePlaneEvents): ShapePlanePlot {
       );
       for (const end of ENDS) handles[end].place(onPicture(data, end, place));
     },
-    setSpeeds(speeds, most) {
-      for (const end of ENDS) handles[end].setSpeed(speeds?.[end] ?? null, most[end]);
+    setSpeeds(speeds, max) {
+      for (const end of ENDS) handles[end].setSpeed(speeds?.[end] ?? null, max[end]);
     },
     setCursor(t) {
       time = t;

@@ -10,7 +10,7 @@ import type { ReferenceMotion } from './reference-motion.ts';
 export interface FewestKeys {
   times: number[];
   /**
-   * Largest distance of a vertex at a sample, relative to the diagonal. It exceeds the limit if `most` keys do not
+   * Largest distance of a vertex at a sample, relative to the diagonal. It exceeds the limit if `max` keys do not
    * suffice.
    */
   error: number;
@@ -19,7 +19,7 @@ export interface FewestKeys {
 export interface FewestKeysOptions extends CallOptions {
   /** Tolerance as a share of the diagonal. */
   tolerance: number;
-  most: number;
+  max: number;
   /** Options of the motion between the keys. */
   options: Partial<SequenceOptions>;
 }
@@ -30,7 +30,7 @@ const NEAR_WORST = 0.6;
 export async function fewestKeys(
   engine: Engine,
   reference: ReferenceMotion,
-  { tolerance, most, options, signal, onProgress }: FewestKeysOptions,
+  { tolerance, max, options, signal, onProgress }: FewestKeysOptions,
 ): Promise<FewestKeys> {
   const last = reference.times.length - 1;
   const target = tolerance * reference.keys.info.report.diagonal;
@@ -45,7 +45,7 @@ export async function fewestKeys(
       stage: `${chosen.length} keys`,
       fraction: first <= target ? 1 : Math.min(Math.max(Math.log(first / error) / Math.log(first / target), 0), 1),
     });
-    const done = error <= target || chosen.length >= Math.min(most, last + 1);
+    const done = error <= target || chosen.length >= Math.min(max, last + 1);
     if (done) {
       const share = error / reference.keys.info.report.diagonal;
       return { times: chosen.map((index) => reference.times[index]!), error: share };
@@ -53,7 +53,7 @@ export async function fewestKeys(
     const added = worst
       .filter(({ distance }) => distance > target && distance >= NEAR_WORST * error)
       .sort((a, b) => b.distance - a.distance)
-      .slice(0, most - chosen.length);
+      .slice(0, max - chosen.length);
     chosen = [...chosen, ...added.map(({ index }) => index)].sort((a, b) => a - b);
   }
 }

@@ -123,8 +123,8 @@ async function shellCosts(
 ): Promise<Pick<Table2Row, 'shell' | 'note'>> {
   const { faces } = keys.info.report;
   const { spaceFaces, spaceSamples } = MOTION;
-  const coarse = Math.min(Math.max(Math.round(share * faces), spaceFaces.least), spaceFaces.most);
-  const samples = Math.min(shapes, spaceSamples.most);
+  const coarse = Math.min(Math.max(Math.round(share * faces), spaceFaces.min), spaceFaces.max);
+  const samples = Math.min(shapes, spaceSamples.max);
   const start = performance.now();
   let fitting = { from: NaN, to: NaN };
   const onProgress = ({ stage }: { stage: string }): void => {

@@ -4,8 +4,8 @@ import type { AnimationInfo, ImportOptions, InputFile } from '../engine/api/type
 
 /** Samples per second, if the limit allows. */
 const RATE = 30;
-const [FEWEST, MOST] = [9, 241];
-const MOST_BYTES = 192e6;
+const [MIN_TIMES, MAX_TIMES] = [9, 241];
+const MAX_BYTES = 192e6;
 
 export interface TimedShapes {
   readonly times: readonly number[];
@@ -34,8 +34,8 @@ export async function readReference(
   options: ImportOptions,
   call: CallOptions = {},
 ): Promise<ReferenceMotion> {
-  const room = Math.floor(MOST_BYTES / (12 * vertices));
-  const count = Math.max(Math.min(Math.ceil((end - start) * RATE) + 1, MOST, room), FEWEST);
+  const room = Math.floor(MAX_BYTES / (12 * vertices));
+  const count = Math.max(Math.min(Math.ceil((end - start) * RATE) + 1, MAX_TIMES, room), MIN_TIMES);
   const sample = Array.from({ length: count }, (_, i) =>
     i === count - 1 ? end : start + ((end - start) * i) / (count - 1),
   );

@@ -9,7 +9,7 @@ import { fitWarnings, fittedCount, isOwnAt, unfittedNote } from './fitted-interv
 import { KgError } from './kg-error.ts';
 
 /** The animation of the keys: a shape per time. */
-export interface TrueShapes {
+export interface ReferenceShapes {
   times: readonly number[];
   shapes: readonly Float32Array[];
 }
@@ -44,7 +44,7 @@ export interface SpaceRow {
 
 export interface SpaceStudyOptions extends CallOptions {
   methods: readonly Method[];
-  truth: TrueShapes | null;
+  reference: ReferenceShapes | null;
 }
 
 /** Times per range, in the middle of as many intervals. */
@@ -54,7 +54,7 @@ export async function studySpaces(
   engine: Engine,
   keys: Keys,
   options: Partial<SequenceOptions>,
-  { methods, truth, signal, onProgress = () => undefined }: SpaceStudyOptions,
+  { methods, reference, signal, onProgress = () => undefined }: SpaceStudyOptions,
 ): Promise<SpaceRow[]> {
   const spline = await splineOf(engine, keys);
   const rows: SpaceRow[] = [];
@@ -66,7 +66,7 @@ export async function studySpaces(
       const own = motionFor(ghostFor({ ...SEQUENCE_DEFAULTS, ...options }, method), { method });
       const sequence = await engine.createSequence(keys, own, call);
       const buildMs = performance.now() - start;
-      const numbers = await measured(sequence, spline, truth, signal).finally(() => sequence.dispose());
+      const numbers = await measured(sequence, spline, reference, signal).finally(() => sequence.dispose());
       const fitted = fittedCount(sequence);
       rows.push({ method, fitted, note: unfittedNote(sequence), warnings: fitWarnings(sequence), ...numbers, buildMs });
     } catch (error) {
@@ -120,7 +120,7 @@ type Numbers = typeof NOTHING;
 async function measured(
   sequence: Sequence,
   { times, edges, lengthsAt, ...spline }: Spline,
-  truth: TrueShapes | null,
+  reference: ReferenceShapes | null,
   signal: AbortSignal | undefined,
 ): Promise<Numbers> {
   const call = signal && { signal };
@@ -150,7 +150,7 @@ async function measured(
     lengths: 100 * Math.sqrt(sum / count),
     bending: bending.reduce((total, energy) => total + energy / bending.length, 0),
     peak: Math.max(...bending),
-    kg: truth ? await kgAgainst(sequence, truth, signal) : NaN,
+    kg: reference ? await kgAgainst(sequence, reference, signal) : NaN,
     ms: ms.sort((a, b) => a - b)[Math.floor(ms.length / 2)]!,
   };
 }
@@ -159,7 +159,11 @@ function largestOff(values: readonly number[], wanted: readonly number[]): numbe
   return 100 * Math.max(...values.map((value, i) => Math.abs(value / wanted[i]! - 1)));
 }
 
-async function kgAgainst(sequence: Sequence, { times, shapes }: TrueShapes, signal?: AbortSignal): Promise<number> {
+async function kgAgainst(
+  sequence: Sequence,
+  { times, shapes }: ReferenceShapes,
+  signal?: AbortSignal,
+): Promise<number> {
   const error = new KgError();
   const own = times.map((t) => isOwnAt(sequence, t));
   if (!own.includes(true)) return NaN;

@@ -236,7 +236,7 @@ interface NumberFieldOptions {
   /** Meaning of an empty field. */
   empty?: number;
   /** Why a number is refused, after 'must be'; null: it is not. */
-  wrongWith?: (value: number) => string | null;
+  validationError?: (value: number) => string | null;
   onInput: (value: number) => void;
 }
 
@@ -248,7 +248,7 @@ export const REFUSED = 'refused';
  * number beyond a limit becomes the limit.
  */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
-  const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, wrongWith, onInput } = options;
+  const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, validationError, onInput } = options;
   const name = label.split(/[;,]/)[0]!;
   const refuse = (why: string): void => {
     field.dispatchEvent(new CustomEvent(REFUSED, { bubbles: true, detail: `${name} must be ${why}.` }));
@@ -259,7 +259,7 @@ export function numberField(options: NumberFieldOptions): HTMLInputElement {
     if (!Number.isFinite(value)) return refuse('a number');
     if (value < min) refuse(`at least ${min}`);
     if (value > max) refuse(`at most ${max}`);
-    const wrong = wrongWith?.(value);
+    const wrong = validationError?.(value);
     if (wrong) return refuse(wrong);
     onInput(Math.min(Math.max(value, min), max));
   };

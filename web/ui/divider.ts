@@ -5,7 +5,7 @@ import { icon } from './icons.ts';
 import { drag, focusPressed, isPress } from './pointer.ts';
 
 /** Smallest visible share of either side. */
-export const LEAST_SHARE = 0.02;
+export const MIN_SHARE = 0.02;
 const STEP = 0.02;
 const LONG_STEP = 0.1;
 
@@ -21,7 +21,7 @@ export function createDivider(onMove: (share: number) => void): Component<Divide
   let now = 0.5;
   // Several events can arrive before the page is redrawn. Each continues from the last requested value.
   const move = (share: number): void => {
-    now = Math.min(Math.max(share, LEAST_SHARE), 1 - LEAST_SHARE);
+    now = Math.min(Math.max(share, MIN_SHARE), 1 - MIN_SHARE);
     onMove(now);
   };
   const element = h(
@@ -33,8 +33,8 @@ export function createDivider(onMove: (share: number) => void): Component<Divide
       hidden: true,
       title: 'Drag to see more of either motion',
       'aria-label': 'Divider between two motions',
-      'aria-valuemin': Math.round(100 * LEAST_SHARE),
-      'aria-valuemax': Math.round(100 * (1 - LEAST_SHARE)),
+      'aria-valuemin': Math.round(100 * MIN_SHARE),
+      'aria-valuemax': Math.round(100 * (1 - MIN_SHARE)),
       'data-testid': 'divider',
       onpointerdown: (event: PointerEvent) => {
         if (!isPress(event)) return;

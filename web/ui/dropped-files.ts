@@ -1,6 +1,6 @@
 /** Converts dropped items to files. Searches folders and leaves out files that do not belong to a model. */
 
-import { CACHES, COMPANIONS, MODELS, isMeantInFolder, isModel } from '../engine/api/paths.ts';
+import { CACHES, COMPANIONS, MODELS, isImportable, isModel } from '../engine/api/paths.ts';
 
 export interface PickedFile {
   /** Path relative to the dropped item. */
@@ -22,7 +22,7 @@ export const ACCEPTED = [
 ].join();
 
 /** Limit that stops the search of a whole disk dropped by mistake. */
-const MOST_ENTRIES = 20_000;
+const MAX_ENTRIES = 20_000;
 
 /**
  * Call during the drop event, because its data exists only then. Single files are always taken, so their errors are
@@ -40,16 +40,16 @@ export function droppedFiles({ items, files }: DataTransfer): Promise<PickedFile
 /** Files at the top level, and files in folders that belong to models. Names are paths from the top level. */
 export async function filesOf(entries: readonly FileSystemEntry[]): Promise<PickedFile[]> {
   const found: PickedFile[] = [];
-  let left = MOST_ENTRIES;
+  let left = MAX_ENTRIES;
   const walk = async (entry: FileSystemEntry, path: string, inFolder: boolean): Promise<void> => {
     left -= 1;
     if (left < 0)
-      throw new Error(`More than ${MOST_ENTRIES.toLocaleString('en')} files were dropped. Drop only the poses.`);
+      throw new Error(`More than ${MAX_ENTRIES.toLocaleString('en')} files were dropped. Drop only the poses.`);
     const name = path + entry.name;
     if (entry.isDirectory) {
       for (const child of await childrenOf(entry as FileSystemDirectoryEntry, name))
         await walk(child, `${name}/`, true);
-    } else if (!inFolder || isMeantInFolder(name)) {
+    } else if (!inFolder || isImportable(name)) {
       found.push({ name, file: await fileOf(entry as FileSystemFileEntry, name) });
     }
   };
@@ -68,7 +68,7 @@ async function childrenOf(folder: FileSystemDirectoryEntry, name: string): Promi
   for (;;) {
     const batch = await read<FileSystemEntry[]>(name, (resolve, reject) => reader.readEntries(resolve, reject));
     if (batch.length === 0) return children;
-    if (children.push(...batch) > MOST_ENTRIES) return children;
+    if (children.push(...batch) > MAX_ENTRIES) return children;
   }
 }
 

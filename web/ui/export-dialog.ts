@@ -151,8 +151,8 @@ function createGlbFields(change: Change) {
   const tolerance = numberField({
     label: 'Tolerance in percent of the model’s size',
     testId: 'export-tolerance',
-    min: EXPORT.tolerance.least,
-    max: EXPORT.tolerance.most,
+    min: EXPORT.tolerance.min,
+    max: EXPORT.tolerance.max,
     onInput: (value) => change({ tolerance: value }),
   });
   const toleranceRow = fieldRow('Tolerance, % of the model’s size', tolerance);

@@ -1,10 +1,10 @@
 /** Rows of the export dialog: duration, number of frames, and image size. */
 import type { ExportNumbers, ExportRequest, Playing, SizeName, VideoFormat } from '../model/export-request.ts';
 import {
-  LEAST_PIXELS,
+  MIN_PIXELS,
   MAX_FRAMES,
-  MOST_PIXELS,
-  MOST_SECONDS,
+  MAX_PIXELS,
+  MAX_SECONDS,
   SIZES,
   canBounce,
   goesBack,
@@ -49,7 +49,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
     label: 'Seconds',
     testId: 'export-duration',
     min: 0.01,
-    max: MOST_SECONDS,
+    max: MAX_SECONDS,
     onInput: (value) => change(turns ? { turn: value } : { duration: value }),
   });
   const reset = button({
@@ -136,8 +136,8 @@ export function createPictureFields(change: Change): Fields<FieldsProps> {
     numberField({
       label: `${name === 'width' ? 'Width' : 'Height'} in pixels`,
       testId: `export-${name}`,
-      min: LEAST_PIXELS,
-      max: MOST_PIXELS,
+      min: MIN_PIXELS,
+      max: MAX_PIXELS,
       step: 1,
       onInput: (value) => {
         if (request) change({ own: { ...request.own, [name]: Math.round(value) } });

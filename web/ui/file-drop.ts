@@ -44,7 +44,7 @@ export function createDropZone(
     here,
   );
   let depth = 0;
-  const holdsFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
+  const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
   const leave = (): void => {
     depth = 0;
     element.hidden = true;
@@ -52,24 +52,24 @@ export function createDropZone(
   };
 
   window.addEventListener('dragenter', (event) => {
-    if (!holdsFiles(event)) return;
+    if (!hasFiles(event)) return;
     depth += 1;
     element.hidden = false;
   });
   window.addEventListener('dragleave', (event) => {
-    if (!holdsFiles(event)) return;
+    if (!hasFiles(event)) return;
     depth -= 1;
     if (depth <= 0) leave();
   });
   window.addEventListener('dragover', (event) => {
-    if (!holdsFiles(event)) return;
+    if (!hasFiles(event)) return;
     event.preventDefault();
     const words = onOver({ x: event.clientX, y: event.clientY });
     setText(here, words ?? '');
     setAttribute(element, 'data-here', words !== null);
   });
   window.addEventListener('drop', (event) => {
-    if (!holdsFiles(event) || !event.dataTransfer) return;
+    if (!hasFiles(event) || !event.dataTransfer) return;
     event.preventDefault();
     leave();
     onFiles(ordered(droppedFiles(event.dataTransfer)), { x: event.clientX, y: event.clientY });

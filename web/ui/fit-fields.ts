@@ -42,7 +42,7 @@ export function createFitFields(
 }
 
 function createRow(name: FitOption, place: string, onInput: (value: number) => void): Component<number> {
-  const { least: min, most: max, default: fallback } = MOTION[name];
+  const { min, max, default: fallback } = MOTION[name];
   const { label, testId, unit: of, hint } = WORDS[name];
   const field = numberField({
     label: of ? `${label}, ${of}` : label,

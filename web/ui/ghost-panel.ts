@@ -88,7 +88,7 @@ function createFaces({ onEncoding }: GhostPanelEvents): Component<GhostPanelProp
   const count = numberField({
     label: 'Faces of the ghost mesh',
     testId: 'ghost-faces',
-    min: ENCODING.ghostFaces.least,
+    min: ENCODING.ghostFaces.min,
     max: 1_000_000,
     step: 100,
     onInput: (value) => onEncoding({ ghostFaces: Math.round(value) }),

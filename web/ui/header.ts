@@ -4,7 +4,7 @@ import { h, memo } from './dom.ts';
 import { createGallery } from './gallery.ts';
 import type { GalleryEvents, OwnItem, SampleItem } from './gallery.ts';
 import { createThemeButton } from './theme-button.ts';
-import { oneStop } from './one-stop.ts';
+import { rovingTabindex } from './roving-tabindex.ts';
 import type { Theme } from './theme.ts';
 
 export interface HeaderProps {
@@ -44,7 +44,7 @@ export function createHeader({ start, history, end }: HeaderButtons, events: Hea
     theme.element,
   );
   // The gallery's contents have their own tab stops.
-  oneStop(element, 'button:not(.gallery *)');
+  rovingTabindex(element, 'button:not(.gallery *)');
   const draw = memo(({ samples, sample, own, project, theme: shown }: HeaderProps) => {
     gallery.update({ samples, sample, own, project });
     theme.update(shown);

@@ -4,7 +4,7 @@ import { h, memo, say, setAttribute, setText } from './dom.ts';
 import { icon } from './icons.ts';
 import type { EditedKey, KeyEditor, KeyEditorEvents, KeyEditorProps } from './key-editor.ts';
 import { lazyComponent } from './lazy.ts';
-import { oneStop } from './one-stop.ts';
+import { rovingTabindex } from './roving-tabindex.ts';
 import { keyLabel, lowerFirst, shortNames } from '../model/key-names.ts';
 import { SAME_TIME, formatTime, length } from '../model/time-scale.ts';
 
@@ -71,7 +71,7 @@ export function createKeyStrip(events: KeyStripEvents): KeyStrip {
     h('div', { class: 'key-actions' }, addCurrent, addFile),
     editor.element,
   );
-  oneStop(list);
+  rovingTabindex(list);
   const cards: Card[] = [];
   // The page is notified only on drop.
   const drag = { from: -1 };

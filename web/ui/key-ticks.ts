@@ -4,7 +4,7 @@ import { keyLabel } from '../model/key-names.ts';
 import type { Range } from '../model/time-scale.ts';
 import { clampKeyTime, length } from '../model/time-scale.ts';
 import { fractionIn } from '../model/time-window.ts';
-import { place } from './at-moment.ts';
+import { positionAtTime } from './timeline-position.ts';
 import { h, memo, setAttribute } from './dom.ts';
 import { drag, isPress } from './pointer.ts';
 
@@ -78,7 +78,7 @@ export function createKeyTicks(events: KeyTicksEvents): { element: HTMLElement; 
     let numbered = -Infinity;
     keys.forEach(({ time, name }, index) => {
       const tick = (element.children[index] ?? element.appendChild(createTick(index))) as HTMLElement;
-      place(tick, time, part);
+      positionAtTime(tick, time, part);
       const words = `${keyLabel(index, name)}, at ${momentWords(time, range, fps)}`;
       setAttribute(tick, 'title', `${words}: click to go to this key, drag to change its time`);
       setAttribute(tick, 'data-time', time);

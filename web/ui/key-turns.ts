@@ -1,5 +1,5 @@
 /** Full turns since the previous key, for the whole shape or one component. */
-import { MOST_TURNS, PER_KEY } from '../engine/api/option-table.ts';
+import { MAX_TURNS, PER_KEY } from '../engine/api/option-table.ts';
 import type { KeyTurns, Shaping } from '../model/shaping.ts';
 import { turnsOf } from '../model/shaping.ts';
 import type { Choice } from './controls.ts';
@@ -7,7 +7,7 @@ import { fieldRow, numberField, select } from './controls.ts';
 import { h, setField, setHidden } from './dom.ts';
 
 /** Most components in the list. More entries are not distinguishable. */
-const MOST_COMPONENTS = 400;
+const MAX_COMPONENTS = 400;
 
 export interface KeyTurnsProps {
   shaping: Shaping;
@@ -33,8 +33,8 @@ export function createKeyTurns(
   const turns = numberField({
     label,
     testId: 'key-turns',
-    min: -MOST_TURNS,
-    max: MOST_TURNS,
+    min: -MAX_TURNS,
+    max: MAX_TURNS,
     step: 1,
     onInput: (value) => {
       const added = { turns: Math.round(value) };
@@ -56,7 +56,7 @@ export function createKeyTurns(
   const draw = (): void => {
     if (!props) return;
     const { shaping, canTurn, components } = props;
-    const count = canTurn && components > 1 ? Math.min(components, MOST_COMPONENTS) : 0;
+    const count = canTurn && components > 1 ? Math.min(components, MAX_COMPONENTS) : 0;
     if (component !== null && component >= count) return choose(null);
     setField(turns, String(turnsOf(shaping, component ?? undefined)));
     setHidden(row, !canTurn);

@@ -1,5 +1,5 @@
 /** Two handles over the timeline for the playing range, dragged or moved with the arrow keys. */
-import { place } from './at-moment.ts';
+import { positionAtTime } from './timeline-position.ts';
 import type { Fields } from './dom.ts';
 import { h, setAttribute } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -89,7 +89,7 @@ export function createLoopHandles(track: HTMLElement, events: LoopHandlesEvents)
       const places = ends(next);
       handles.forEach((handle, index) => {
         const t = places[index === 0 ? 'start' : 'end'];
-        place(handle, disabled ? null : t, window);
+        positionAtTime(handle, disabled ? null : t, window);
         setAttribute(handle, 'data-set', between !== null);
         // Before they are set, they are only a convenience for the mouse. The menu has equivalent fields.
         setAttribute(handle, 'role', between ? 'slider' : 'presentation');

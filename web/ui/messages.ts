@@ -180,7 +180,7 @@ const WELCOME_SPLIT = ['Morph targets collapse between poses. Here the shape kee
 export interface WelcomeProps {
   wanted: boolean;
   /** The welcome is hidden because another message needs its position. */
-  givesWay: boolean;
+  isCovered: boolean;
   /** A divider compares two motions. */
   split: boolean;
 }
@@ -201,12 +201,12 @@ export function createWelcome(onPick: () => void): {
   );
   return {
     element,
-    update({ wanted, givesWay, split }) {
+    update({ wanted, isCovered, split }) {
       const [bold, plain] = split ? WELCOME_SPLIT : WELCOME;
       setText(claim, bold);
       setText(rest, plain);
       setHidden(element, !wanted);
-      setAttribute(element, 'data-gives-way', givesWay);
+      setAttribute(element, 'data-gives-way', isCovered);
     },
   };
 }

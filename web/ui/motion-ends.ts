@@ -36,7 +36,7 @@ export interface MotionEndsProps {
   motion: Motion;
   encoding: Encoding;
   /** The largest offered end speeds. */
-  mostSpeeds: Speeds;
+  maxSpeeds: Speeds;
   keys: readonly KeyRef[];
   /** Name of any opened pose, including poses that are not keys. */
   poseName: (pose: number) => string;
@@ -85,12 +85,12 @@ export function createMotionEnds(events: MotionEndsEvents): MotionEnds {
   return {
     elements: [boundary.element, hint, ease, period.element],
     update(props) {
-      const { motion, encoding, mostSpeeds } = props;
+      const { motion, encoding, maxSpeeds } = props;
       boundary.update(motion.boundary, REFUSED[METHOD[motion.method].curve]);
       setText(hint, BOUNDARY_WORDS[motion.boundary].hint);
       setHidden(ease, motion.boundary !== 'hermite');
       for (const { end, speed, tangent } of ends) {
-        speed.update(motion[SPEED_NAME[end]], undefined, mostSpeeds[end]);
+        speed.update(motion[SPEED_NAME[end]], undefined, maxSpeeds[end]);
         tangent.update(props, encoding[TANGENT_NAME[end]]);
       }
       setHidden(period.element, motion.boundary !== 'periodic');
@@ -108,7 +108,7 @@ function createPeriod({ onMotion }: MotionEndsEvents): Component<MotionEndsProps
   const period = numberField({
     label: 'Period',
     testId: 'period',
-    wrongWith: (value) =>
+    validationError: (value) =>
       value > keysLast ? null : `longer than the time from the first key to the last, ${keysLast} s`,
     onInput: (value) => onMotion({ period: value }),
   });

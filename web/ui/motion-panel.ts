@@ -5,8 +5,8 @@ import type { Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
 import { METHOD_WORDS, PLAIN_WORDS, fittedText } from '../model/method-words.ts';
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
-import { departs } from '../model/spline-options.ts';
-import { DEFAULT_MOTION, MOST_COMPARED } from '../model/state.ts';
+import { departsFromPaper } from '../model/spline-options.ts';
+import { DEFAULT_MOTION, MAX_COMPARED } from '../model/state.ts';
 import { button, buttonGroup, checkbox, select, setIdle, slider } from './controls.ts';
 import type { MotionEnds, MotionEndsEvents, MotionEndsProps } from './motion-ends.ts';
 import { createMotionEnds } from './motion-ends.ts';
@@ -118,11 +118,11 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
     elements: [method.element, hint, comparison],
     update({ motion, keys, compare, fitted, disabled }) {
       compared = compare;
-      const departing = departs({ motion, keys });
+      const departing = departsFromPaper({ motion, keys });
       method.update(motion.method);
       const where = fittedText(fitted);
       setText(hint, `${METHOD_WORDS[motion.method].hint}${where && ` Here ${where} between keys; see the warnings.`}`);
-      const isFull = compared.filter((m) => m !== motion.method || departing).length >= MOST_COMPARED;
+      const isFull = compared.filter((m) => m !== motion.method || departing).length >= MAX_COMPARED;
       setHidden(most, !isFull);
       for (const { value, toggle } of others) {
         const { short } = value === motion.method ? PLAIN_WORDS : METHOD_WORDS[value];

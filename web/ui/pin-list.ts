@@ -155,10 +155,10 @@ function createRow(
 }
 
 /** More times than this are shown as a count. */
-const MOST_TIMES = 4;
+const MAX_TIMES = 4;
 
 function timesText(times: readonly number[]): string {
-  if (times.length > MOST_TIMES) return `${times.length} times`;
+  if (times.length > MAX_TIMES) return `${times.length} times`;
   return `${times.map((time) => Number(time.toPrecision(3))).join(', ')} s`;
 }
 

@@ -2,7 +2,7 @@
  * The timeline of an animation with a mark for each key. Drag marks or move them with arrow keys, click to add one,
  * press Delete to remove one.
  */
-import { MOST_SAMPLED } from '../engine/api/option-table.ts';
+import { MAX_SAMPLED } from '../engine/api/option-table.ts';
 import type { Span } from '../model/sample-times.ts';
 import { shortTime } from '../model/sample-times.ts';
 import { clamp } from '../model/time-scale.ts';
@@ -27,7 +27,7 @@ export function createSampleTrack(
 
   const pressed = (event: PointerEvent): void => {
     const known = markAt(event);
-    if (known < 0 && times.length >= MOST_SAMPLED) return;
+    if (known < 0 && times.length >= MAX_SAMPLED) return;
     event.preventDefault();
     const others = times.filter((_, i) => i !== known);
     let last = times[known] ?? timeAt(event);

@@ -10,7 +10,7 @@ import { checkbox, select } from './controls.ts';
 import type { Component, Fields } from './dom.ts';
 import { h, memo, say, setField, setHidden, setText } from './dom.ts';
 import { createSampleTrack } from './sample-track.ts';
-import { createSampleWay } from './sample-way.ts';
+import { createSamplingMode } from './sampling-mode.ts';
 
 /** A mark moved by an arrow key is likely to move again soon. */
 const TAKE_DELAY_MS = 300;
@@ -50,11 +50,11 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     times = [...new Set(next)].sort((a, b) => a - b);
     track.update(span(), times);
     list.update(times);
-    way.setCount(times.length, taken);
+    mode.setCount(times.length, taken);
   };
   const takeSoon = (next: readonly number[]): void => {
     taken = true;
-    way.update(taken, false);
+    mode.update(taken, false);
     choose(next);
     soon.start();
   };
@@ -63,7 +63,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     chosen = Number(value);
     takeSoon(evenTimes(span(), times.length));
   });
-  const way = createSampleWay({
+  const mode = createSamplingMode({
     onCount: (count) => takeSoon(evenTimes(span(), count)),
     onFewest(percent) {
       soon.stop();
@@ -80,7 +80,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     { class: 'group animation-source', hidden: true, 'data-testid': 'sampling', 'aria-label': 'Animation' },
     title,
     animation.element,
-    ...way.elements,
+    ...mode.elements,
     found,
     original.element,
     h(
@@ -113,7 +113,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     element,
     update({ info, fewest, original: shown }) {
       read({ info });
-      way.update(taken, fewest !== null && !soon.waits());
+      mode.update(taken, fewest !== null && !soon.waits());
       say(found, fewest ? foundText(fewest) : coarseText(span(), taken ? times.length : Infinity));
       original.update(shown);
     },

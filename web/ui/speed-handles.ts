@@ -2,7 +2,7 @@
  * The Hermite speeds as handles below the first and last key of the timeline. A longer handle means a faster start or
  * end of the motion. Drag handles or move them with the arrow keys.
  */
-import { place } from './at-moment.ts';
+import { positionAtTime } from './timeline-position.ts';
 import type { Component } from './dom.ts';
 import { h, setAttribute, setHidden, setStyle, setText } from './dom.ts';
 import type { Range } from '../model/time-scale.ts';
@@ -36,7 +36,7 @@ export interface SpeedHandlesProps {
   /** End speeds; null if the boundary has none. */
   speeds: Speeds | null;
   /** The largest offered speeds. */
-  most: Speeds;
+  max: Speeds;
   /** Targets of the end tangents; null if the boundary has no speeds. */
   towards: Readonly<Record<End, Towards>> | null;
   /** Times of the first and the last key. */
@@ -82,9 +82,9 @@ interface SpeedHandleProps extends SpeedHandlesProps {
 }
 
 /** Pixels per unit of speed. At their longest, the handles are equally long and do not meet. */
-function unitOf(end: End, { most, range, window, width }: SpeedHandleProps): number {
+function unitOf(end: End, { max, range, window, width }: SpeedHandleProps): number {
   const room = ((length(range) / length(window)) * width) / (2 * MAX_SPEED + 1);
-  return (Math.min(UNIT_PX, room) * MAX_SPEED) / most[end];
+  return (Math.min(UNIT_PX, room) * MAX_SPEED) / max[end];
 }
 
 function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Component<SpeedHandleProps> {
@@ -98,14 +98,14 @@ function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Componen
     if (!props || !isPress(event)) return;
     event.preventDefault();
     focusPressed(grip);
-    const [from, most] = [props.speeds[end], props.most[end]];
+    const [from, max] = [props.speeds[end], props.max[end]];
     const pixels = (end === 'start' ? 1 : -1) * unitOf(end, props);
     drag(grip, event, {
-      onMove: (moved) => set(offeredSpeed(from + (moved.clientX - event.clientX) / pixels, most)),
+      onMove: (moved) => set(offeredSpeed(from + (moved.clientX - event.clientX) / pixels, max)),
     });
   };
   const typed = (event: KeyboardEvent): void => {
-    const speed = props && typedSpeed(event, props.speeds[end], end, props.most[end]);
+    const speed = props && typedSpeed(event, props.speeds[end], end, props.max[end]);
     if (speed === null) return;
     event.preventDefault();
     set(speed);
@@ -132,15 +132,15 @@ function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Componen
     element,
     update(next) {
       props = next;
-      const { speeds, most, towards, range, window, width } = next;
+      const { speeds, max, towards, range, window, width } = next;
       const speed = speeds[end];
       const t = end === 'start' ? range[0] : range[1];
       const at = fractionIn(t, window);
       const room = (end === 'start' ? at : 1 - at) * width;
-      place(element, t, window);
-      setStyle(element, '--reach', `${(clamp(speed, 0, most[end]) * unitOf(end, next)).toFixed(2)}px`);
+      positionAtTime(element, t, window);
+      setStyle(element, '--reach', `${(clamp(speed, 0, max[end]) * unitOf(end, next)).toFixed(2)}px`);
       setAttribute(element, 'data-inside', room < (width < ROOM_FOR_WORDS_PX ? NUMBER_PX : WORDS_PX));
-      setAttribute(grip, 'aria-valuemax', most[end]);
+      setAttribute(grip, 'aria-valuemax', max[end]);
       setAttribute(grip, 'aria-valuenow', Number(speed.toFixed(6)));
       const from = towards?.[end] === 'shape' ? SHAPED[end] : neighbour;
       setAttribute(grip, 'aria-valuetext', `${Number(speed.toFixed(2))} times the constant speed from ${from}`);
@@ -152,10 +152,10 @@ function createSpeedHandle(end: End, onSpeed: (speed: number) => void): Componen
 /**
  * Left and right move the handle in its direction, up and down increase and decrease the speed; null for other keys.
  */
-export function typedSpeed(event: KeyboardEvent, speed: number, end: End, most: number): number | null {
+export function typedSpeed(event: KeyboardEvent, speed: number, end: End, max: number): number | null {
   const step = event.shiftKey ? LARGE : 1;
   const inward = end === 'start' ? step : -step;
-  const stepped = (steps: number): number => steppedSpeed(speed, steps, most);
+  const stepped = (steps: number): number => steppedSpeed(speed, steps, max);
   switch (event.key) {
     case 'ArrowRight':
       return stepped(inward);
@@ -172,7 +172,7 @@ export function typedSpeed(event: KeyboardEvent, speed: number, end: End, most: 
     case 'Home':
       return 0;
     case 'End':
-      return most;
+      return max;
     case 'Delete':
     case 'Backspace':
       return DEFAULT_SPEED;

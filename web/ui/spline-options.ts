@@ -1,17 +1,17 @@
 /** Further options: of the shape spline, kept lengths; of fitted methods, their mesh and times. */
 import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { MOTION } from '../engine/api/option-table.ts';
-import { keptLengths, whyNoLengths } from '../model/spline-options.ts';
-import type { Edited, RuledOut } from '../model/spline-options.ts';
+import { keptLengths, keepLengthsConflict } from '../model/spline-options.ts';
+import type { Edited, Conflict } from '../model/spline-options.ts';
 import type { Motion } from '../model/state.ts';
 import { segments } from './controls.ts';
 import { createFitFields } from './fit-fields.ts';
 import type { Component } from './dom.ts';
 import { h, setHidden, setText } from './dom.ts';
 
-const LENGTHS = [...Array(MOTION.keepLengths.most + 1).keys()].map(String);
+const LENGTHS = [...Array(MOTION.keepLengths.max + 1).keys()].map(String);
 
-const REASONS: Record<RuledOut, string> = {
+const REASONS: Record<Conflict, string> = {
   ends: 'Requires free ends.',
   held: 'Not with parts held in place.',
   turns: 'Not with extra turns.',
@@ -49,12 +49,12 @@ export function createSplineOptions(onMotion: (change: Partial<Motion>) => void)
       setHidden(fit.element, METHOD[motion.method].curve !== 'fitted');
       for (const fields of [mesh, fit]) fields.update(motion);
       setText(summary, `Options of the shape spline${keepLengths > 0 ? ': lengths kept' : ''}`);
-      lengths.update(String(keepLengths), allRefused(LENGTHS.slice(1), whyNoLengths(props)));
+      lengths.update(String(keepLengths), allRefused(LENGTHS.slice(1), keepLengthsConflict(props)));
     },
   };
 }
 
-function allRefused<T extends string>(choices: readonly T[], why: RuledOut | null): Partial<Record<T, string>> {
+function allRefused<T extends string>(choices: readonly T[], why: Conflict | null): Partial<Record<T, string>> {
   const entries = why ? choices.map((choice) => [choice, REASONS[why]]) : [];
   return Object.fromEntries(entries) as Partial<Record<T, string>>;
 }

@@ -1,7 +1,7 @@
 /** The numbers under the timeline: seconds, or whole frames. */
 import type { Range } from '../model/time-scale.ts';
 import { fractionIn, rulerMarks } from '../model/time-window.ts';
-import { place } from './at-moment.ts';
+import { positionAtTime } from './timeline-position.ts';
 import { h, memo, setAttribute } from './dom.ts';
 
 /** Width of a number in pixels. */
@@ -26,7 +26,7 @@ export function createTimeRuler(): { element: HTMLElement; update(props: TimeRul
     element.replaceChildren(
       ...marks.map(({ time, text }) => {
         const mark = h('span', { class: 'mark' }, text);
-        place(mark, time, part);
+        positionAtTime(mark, time, part);
         return mark;
       }),
     );

@@ -2,7 +2,7 @@
 import { momentWords } from '../model/frames.ts';
 import type { Phase, Range, TimeScale } from '../model/time-scale.ts';
 import { clampTime } from '../model/time-scale.ts';
-import { place } from './at-moment.ts';
+import { positionAtTime } from './timeline-position.ts';
 import { h, setAttribute } from './dom.ts';
 import type { KeyTicksEvents, KeyTicksProps } from './key-ticks.ts';
 import { createKeyTicks } from './key-ticks.ts';
@@ -58,7 +58,7 @@ export function createTimeSlider(events: KeyTicksEvents): TimeSlider {
     track.update({ range, part, between, periodic, speedCurve });
     ticks.update({ keys, range, part, fps, width, disabled });
     ruler.update({ part, fps, width }, disabled ? null : time);
-    place(playhead, disabled ? null : clampTime(time, range), part);
+    positionAtTime(playhead, disabled ? null : clampTime(time, range), part);
     setAttribute(element, 'aria-valuemin', round(Math.min(whole[0], part[0])));
     setAttribute(element, 'aria-valuemax', round(Math.max(whole[1], part[1])));
     setAttribute(element, 'aria-valuenow', round(time));

@@ -2,7 +2,7 @@
 import { loopRange } from '../model/frames.ts';
 import type { SpeedCurve } from '../model/speed-curve.ts';
 import type { Range } from '../model/time-scale.ts';
-import { stretch } from './at-moment.ts';
+import { stretch } from './timeline-position.ts';
 import { h, memo, setAttribute, setText } from './dom.ts';
 import { createSpeedCurve } from './speed-curve.ts';
 

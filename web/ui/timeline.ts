@@ -16,7 +16,7 @@ import { createOverview } from './overview.ts';
 import { drag, focusPressed, isPress, listenToGestures } from './pointer.ts';
 import type { SpeedHandlesProps } from './speed-handles.ts';
 import { createSpeedHandles } from './speed-handles.ts';
-import { createTimePeek } from './time-peek.ts';
+import { createHoverPreview } from './hover-preview.ts';
 import type { TimeSliderProps } from './time-slider.ts';
 import { createTimeSlider } from './time-slider.ts';
 
@@ -30,7 +30,7 @@ export interface TimelineProps extends TimeSliderProps {
   /** Hermite: speeds at the first and the last key; null for another boundary. */
   speeds: SpeedHandlesProps['speeds'];
   /** The largest offered end speeds. */
-  mostSpeeds: SpeedHandlesProps['most'];
+  maxSpeeds: SpeedHandlesProps['max'];
   towards: SpeedHandlesProps['towards'];
   /** URL of the image at the last time under the mouse; null if there is none of this motion. */
   picture: string | null;
@@ -85,13 +85,13 @@ export function createTimeline(events: TimelineEvents): Timeline {
   const speedHandles = createSpeedHandles(events.onSpeed);
   const controls = [slider.element, ...handles.elements, speedHandles.element, overview.element];
   const element = h('div', { class: 'time-frame' }, ...controls);
-  const peek = createTimePeek({
+  const preview = createHoverPreview({
     over: slider.element,
     frame: element,
     timeAt: (event) => (isOn() ? pointedAt(event) : null),
     onPeek: events.onPeek,
   });
-  element.append(peek.element);
+  element.append(preview.element);
 
   slider.element.addEventListener('pointerdown', (event) => {
     if (!isOn() || !isPress(event)) return;
@@ -125,8 +125,8 @@ export function createTimeline(events: TimelineEvents): Timeline {
       setAttribute(element, 'data-zoomed', length(part) < length(whole));
       overview.update(next, part);
       handles.update({ range, window: part, between: loopRange(next.between, range), fps, disabled });
-      speedHandles.update({ speeds, most: next.mostSpeeds, towards, range, window: part });
-      peek.update({ speedCurve, range, fps, picture });
+      speedHandles.update({ speeds, max: next.maxSpeeds, towards, range, window: part });
+      preview.update({ speedCurve, range, fps, picture });
       if (last && losesPlayhead(last, next)) events.onWindow(revealing(part, next, clampTime(next.time, range)));
     },
   };

@@ -3,9 +3,9 @@ import type { View } from '../model/state.ts';
 import { button } from './controls.ts';
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setHidden } from './dom.ts';
-import { createLook } from './look.ts';
-import type { LookEvents } from './look.ts';
-import { oneStop } from './one-stop.ts';
+import { createDisplayOptions } from './display-options.ts';
+import type { DisplayOptionsEvents } from './display-options.ts';
+import { rovingTabindex } from './roving-tabindex.ts';
 import { popover } from './popover.ts';
 
 export interface ViewBarProps {
@@ -15,7 +15,7 @@ export interface ViewBarProps {
   disabled: boolean;
 }
 
-export interface ViewBarEvents extends LookEvents {
+export interface ViewBarEvents extends DisplayOptionsEvents {
   onUp(up: 'y' | 'z'): void;
 }
 
@@ -28,7 +28,7 @@ export function createViewBar(
     toggleLook();
     events.onPresent();
   };
-  const look = createLook({ ...events, onPresent });
+  const displayOptions = createDisplayOptions({ ...events, onPresent });
   const toggle = button({
     label: 'Display',
     testId: 'look-toggle',
@@ -45,14 +45,14 @@ export function createViewBar(
     onClick: () => events.onUp(shownUp === 'z' ? 'y' : 'z'),
   });
   const bar = h('div', { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' }, ...views, stand, toggle);
-  oneStop(bar);
-  const element = h('div', { class: 'view-bar' }, look.element, bar);
-  const toggleLook = popover(element, toggle, look.element);
+  rovingTabindex(bar);
+  const element = h('div', { class: 'view-bar' }, displayOptions.element, bar);
+  const toggleLook = popover(element, toggle, displayOptions.element);
   const draw = memo(({ view, up, disabled }: ViewBarProps) => {
     shownUp = up;
     setHidden(stand, up === null);
     setAttribute(stand, 'aria-pressed', String(up === 'z'));
-    look.update(view);
+    displayOptions.update(view);
     for (const control of bar.querySelectorAll('button')) control.disabled = disabled;
   });
   return { element, toggleLook, update: draw };

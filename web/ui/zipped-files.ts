@@ -1,10 +1,10 @@
 /** Replaces zips among picked files by their models and companion files, as from a folder. Zips are untrusted input. */
 import type { Entry } from '@zip.js/zip.js';
 import { bytesText } from '../engine/api/bytes-text.ts';
-import { extensionOf, fileName, isMeantInFolder, nameKey } from '../engine/api/paths.ts';
+import { extensionOf, fileName, isImportable, nameKey } from '../engine/api/paths.ts';
 import type { PickedFile } from './dropped-files.ts';
 
-const MOST_FILES = 20_000;
+const MAX_FILES = 20_000;
 /**
  * Limits for the unpacked files of one zip: relative to its size, for small zips, and for all. Models shrink to a half
  * or a tenth. A zip of zeros can be a thousand times smaller, so a small one could fill the memory.
@@ -27,20 +27,20 @@ async function filesIn({ name, file }: PickedFile): Promise<PickedFile[]> {
   const entries = await reader.getEntries().catch(() => {
     throw new Error(`${name} is not a readable zip. Unpack it and drop the files.`);
   });
-  const meant = entries.filter((entry) => !entry.directory && isMeantInFolder(entry.filename));
-  if (meant.length === 0)
+  const importable = entries.filter((entry) => !entry.directory && isImportable(entry.filename));
+  if (importable.length === 0)
     throw new Error(`There is no model in ${name}. A zip can contain glTF, OBJ, PLY or OFF files.`);
-  if (meant.length > MOST_FILES)
-    throw new Error(`${name} has more than ${MOST_FILES.toLocaleString('en')} files. Unpack it and drop the poses.`);
-  checkNames(name, meant);
+  if (importable.length > MAX_FILES)
+    throw new Error(`${name} has more than ${MAX_FILES.toLocaleString('en')} files. Unpack it and drop the poses.`);
+  checkNames(name, importable);
   const most = Math.min(Math.max(SMALL, LARGEST_RATIO * file.size), LARGEST);
   const tooLarge = new Error(
     `${name} has more than ${bytesText(most)} when unpacked, the limit for a zip of its size. Unpack it and drop the poses.`,
   );
-  if (meant.reduce((sum, { uncompressedSize }) => sum + uncompressedSize, 0) > most) throw tooLarge;
+  if (importable.reduce((sum, { uncompressedSize }) => sum + uncompressedSize, 0) > most) throw tooLarge;
   let left = most;
   const files: PickedFile[] = [];
-  for (const entry of meant) {
+  for (const entry of importable) {
     const unpacked = await unpack(name, entry, left, tooLarge);
     left -= unpacked.size;
     files.push({ name: `${name}/${entry.filename}`, file: unpacked });

@@ -1,5 +1,5 @@
 /** Extent of the poses for the view: their box, and a sample of points to fit. */
-import type { Bounds } from './stage.ts';
+import type { Bounds } from './floor.ts';
 
 /** Enough to fit a view tightly, few enough to process in one frame. */
 const POINTS_PER_POSE = 1500;

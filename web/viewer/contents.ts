@@ -21,7 +21,7 @@ const DEFAULT_LOOK: Look = { colouring: 'texture', shading: 'smooth', wireframe:
 export const FIRST_SHAPE = 2;
 export const FIRST_EXTRAS = 8;
 /** Number of layers for shapes, and for extras. */
-export const MOST_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
+export const MAX_VIEWS = FIRST_EXTRAS - FIRST_SHAPE;
 
 /** An import whose first key is shown while its motion is made. */
 interface Preview {

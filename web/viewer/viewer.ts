@@ -8,10 +8,10 @@ import { Contents } from './contents.ts';
 import { NO_INSETS } from './fit.ts';
 import type { Insets } from './fit.ts';
 import { listenToSize } from './host-size.ts';
-import { Stage } from './stage.ts';
+import { Floor } from './floor.ts';
 import { extentOf } from './bounds.ts';
 import type { Extent } from './bounds.ts';
-import type { Bounds } from './stage.ts';
+import type { Bounds } from './floor.ts';
 import { Studio } from './studio.ts';
 import { ownSurface } from './surface.ts';
 import { Thumbnails } from './thumbnails.ts';
@@ -39,14 +39,14 @@ const SAMPLED = 300;
 /** Milliseconds between tests whether the graphics card has finished. */
 const FENCE_MS = 4;
 /** Largest share of a view's height for covering elements. */
-const MOST_COVERED = 0.6;
+const MAX_COVERED = 0.6;
 
 export class Viewer {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly studio = new Studio();
-  private readonly stage = new Stage();
+  private readonly floor = new Floor();
   private readonly rig: CameraRig;
   private readonly contents = new Contents(this.studio, () => this.change());
   private readonly thumbnails: Thumbnails;
@@ -94,7 +94,7 @@ export class Viewer {
     this.canvas = surface.canvas;
     this.canvas.style.objectFit = 'contain';
     host.append(this.canvas);
-    this.scene.add(this.stage.object, this.contents.object);
+    this.scene.add(this.floor.object, this.contents.object);
     this.rig = new CameraRig(
       this.canvas,
       () => this.invalidate(),
@@ -107,7 +107,7 @@ export class Viewer {
       'webglcontextrestored',
       () => {
         events.onContextRestored();
-        this.stage.restore();
+        this.floor.restore();
         this.started ||= this.starting !== null; // the lost context has no programs
         this.floored ||= this.flooring !== null;
         // The next frame has no floor and no transparent background. The frame after it is complete.
@@ -154,7 +154,7 @@ export class Viewer {
 
   private async addFloor(): Promise<void> {
     await new Promise(requestAnimationFrame); // the first shape is being drawn
-    await this.stage.compile(this.renderer, this.rig.camera).catch(() => undefined);
+    await this.floor.compile(this.renderer, this.rig.camera).catch(() => undefined);
     this.floored = true;
     this.change();
   }
@@ -178,7 +178,7 @@ export class Viewer {
   showFirstKey(key: FirstKey, { bounds, points }: Extent, camera: CameraPose | null): void {
     this.leaveOpening ??= this.restoring();
     this.contents.showFirstKey(key);
-    this.stage.setPhase(key.colour);
+    this.floor.setPhase(key.colour);
     this.tileAspect = 1;
     this.setExtent(bounds, points);
     if (camera) this.setCameraPose(camera);
@@ -194,7 +194,7 @@ export class Viewer {
     return () => {
       this.tileAspect = tileAspect;
       if (bounds) this.setBounds(bounds);
-      this.stage.setPhase(isStrip ? null : phase);
+      this.floor.setPhase(isStrip ? null : phase);
       this.rig.setAspect(this.aspect());
       this.rig.setInsets(this.insets());
       restoreCamera();
@@ -230,7 +230,7 @@ export class Viewer {
   setFrame(view: number, positions: Float32Array, normals: Float32Array, colour: string): void {
     this.contents.setFrame(view, positions, normals, colour);
     this.phase = colour;
-    this.stage.setPhase(this.contents.isStrip ? null : colour);
+    this.floor.setPhase(this.contents.isStrip ? null : colour);
     this.change();
   }
 
@@ -238,7 +238,7 @@ export class Viewer {
   setExtras(extras: readonly (readonly Extra[])[], instead = false): void {
     this.contents.setExtras(extras, instead);
     this.tileAspect = instead ? STRIP_ASPECT : 1;
-    this.stage.setPhase(instead ? null : this.phase);
+    this.floor.setPhase(instead ? null : this.phase);
     this.change();
   }
 
@@ -264,7 +264,7 @@ export class Viewer {
 
   setLook(look: Look): void {
     this.contents.setLook(look);
-    this.stage.setLook(look.floor, look.dark);
+    this.floor.setLook(look.floor, look.dark);
     this.studio.setDark(look.dark);
     this.change();
   }
@@ -309,7 +309,7 @@ export class Viewer {
 
   private setBounds(bounds: Bounds): void {
     this.bounds = bounds;
-    this.stage.setBounds(bounds);
+    this.floor.setBounds(bounds);
   }
 
   cameraPose(): CameraPose {
@@ -517,7 +517,7 @@ export class Viewer {
     cancelAnimationFrame(this.pending);
     this.contents.dispose();
     this.rig.dispose();
-    this.stage.dispose();
+    this.floor.dispose();
     this.over.abort();
     this.surface.dispose();
     // Releases callers that wait for a frame, because drawing has ended.
@@ -533,7 +533,7 @@ export class Viewer {
     const { height } = this.rects()[0]!;
     const { views, isStrip } = this.contents;
     const { top, bottom } = this.events.covered(this.isSplit ? 1 : views, this.isSplit, isStrip);
-    const scale = Math.min(1, MOST_COVERED / Math.max((top + bottom) / height, 1e-6));
+    const scale = Math.min(1, MAX_COVERED / Math.max((top + bottom) / height, 1e-6));
     return { top: (scale * top) / height, bottom: (scale * bottom) / height };
   }
 
@@ -572,7 +572,7 @@ export class Viewer {
     const seen = this.sides(size);
     const tiles = this.started ? this.tiles(size) : [];
     this.surface.begin();
-    this.stage.object.visible = this.floored;
+    this.floor.object.visible = this.floored;
     tiles.forEach((rect, view) => this.renderOne(rect, seen[view]!, size.height, this.contents.layersOf(view)));
     this.surface.end();
     if (this.flooring || tiles.length === 0 || !this.contents.isShown) return;
@@ -599,7 +599,7 @@ export class Viewer {
     this.rig.prepare(rect.width / rect.height, this.zoomOf(rect));
     this.studio.follow(this.rig.camera);
     const all = layers.reduce((sum, mask) => sum | mask);
-    if (this.floored) this.stage.prepare(this.renderer, this.scene, all, this.version);
+    if (this.floored) this.floor.prepare(this.renderer, this.scene, all, this.version);
     for (const mask of layers) {
       this.renderer.clearDepth();
       this.rig.camera.layers.mask = mask;

@@ -27,7 +27,7 @@ async function densely(motion: Motion, times: readonly number[]): Promise<number
   return largest;
 }
 
-const wanted = { corners: [0, 0.5, 1, 2], tolerance: 0.01, grid: null, most: 1000 };
+const wanted = { corners: [0, 0.5, 1, 2], tolerance: 0.01, grid: null, max: 1000 };
 
 describe('adaptive times', () => {
   it('stay within the tolerance everywhere, include the corners, and are few', async () => {
@@ -38,8 +38,8 @@ describe('adaptive times', () => {
     expect(measured).toBeLessThan(wanted.tolerance);
     expect(error).toBeGreaterThan(0.99 * measured);
     // A chord of the circle may span 2 acos(1 - tolerance), which gives the smallest possible number.
-    const least = angle(2) / (2 * Math.acos(1 - wanted.tolerance));
-    expect(times.length).toBeLessThan(1.6 * least + wanted.corners.length);
+    const min = angle(2) / (2 * Math.acos(1 - wanted.tolerance));
+    expect(times.length).toBeLessThan(1.6 * min + wanted.corners.length);
   });
 
   it('are fewer for a larger tolerance, and only the corners if nothing moves', async () => {
@@ -63,7 +63,7 @@ describe('adaptive times', () => {
   });
 
   it('are refused if there would be too many', async () => {
-    await expect(adaptiveTimes(turning, { ...wanted, tolerance: 1e-7, most: 100 })).rejects.toThrow(
+    await expect(adaptiveTimes(turning, { ...wanted, tolerance: 1e-7, max: 100 })).rejects.toThrow(
       'more than 100 morph targets',
     );
   });

@@ -3,7 +3,7 @@ import { FramePlayer } from '../../../web/engine/api/frame-player.ts';
 import type { Frame } from '../../../web/engine/api/types.ts';
 import { settled } from './fake-worker.ts';
 
-interface Asked {
+interface Requested {
   t: number;
   reply(): Promise<void>;
   fail(): Promise<void>;
@@ -11,7 +11,7 @@ interface Asked {
 
 /** A sequence whose frames arrive on command; counts frames that were not released. */
 function heldSequence(ms = 1) {
-  const asked: Asked[] = [];
+  const asked: Requested[] = [];
   const counts = { out: 0 };
   const evaluateAhead = (t: number): Promise<Frame> =>
     new Promise((resolve, reject) => {

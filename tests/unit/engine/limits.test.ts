@@ -22,14 +22,14 @@ const LIMITS = 'wasm/io/base/limits.h';
 
 describe('a limit of the engine equals that of the core', () => {
   it.each([
-    [TABLE, 'MOST_TURNS', 'wasm/core/sequence/motion.cpp', 'mostTurns'],
-    [TABLE, 'MOST_TIME', 'wasm/core/spline/key_times.cpp', 'farthestTime'],
-    [TABLE, 'MOST_KEYS', 'wasm/io/base/sample_times.cpp', 'mostKeys'],
-    ['web/engine/caller/fitted-motion.ts', 'MOST_MOTION_KEYS', 'wasm/core/sequence/shared_shape.cpp', 'mostKeys'],
-    ['web/engine/caller/export-plan.ts', 'MOST_WEIGHTS', LIMITS, 'mostElements'],
+    [TABLE, 'MAX_TURNS', 'wasm/core/sequence/motion.cpp', 'maxTurns'],
+    [TABLE, 'MAX_TIME', 'wasm/core/spline/key_times.cpp', 'farthestTime'],
+    [TABLE, 'MAX_KEYS', 'wasm/io/base/sample_times.cpp', 'maxKeys'],
+    ['web/engine/caller/fitted-motion.ts', 'MAX_MOTION_KEYS', 'wasm/core/sequence/shared_shape.cpp', 'maxKeys'],
+    ['web/engine/caller/export-plan.ts', 'MAX_WEIGHTS', LIMITS, 'maxElements'],
     [JSON_TS, 'DEEPEST', LIMITS, 'deepestJson'],
-    [JSON_TS, 'MOST_OBJECTS', LIMITS, 'mostJsonObjects'],
-    [JSON_TS, 'MOST_VALUES', LIMITS, 'mostJsonValues'],
+    [JSON_TS, 'MAX_OBJECTS', LIMITS, 'maxJsonObjects'],
+    [JSON_TS, 'MAX_VALUES', LIMITS, 'maxJsonValues'],
   ])('%s %s', (file, name, coreFile, coreName) => {
     expect(constantIn(file, name)).toBe(constantIn(coreFile, coreName));
   });

@@ -9,7 +9,7 @@ import {
   checkTime,
   checkTimes,
   checkUpdate,
-  wrongWith,
+  validationError,
 } from '../../../web/engine/api/options.ts';
 import { EXPORT_DEFAULTS, IMPORT_DEFAULTS, MOTION_DEFAULTS, SEQUENCE_DEFAULTS } from '../../../web/engine/api/types.ts';
 
@@ -142,7 +142,7 @@ describe('options', () => {
   it('that are numbers have a minimum and a maximum', () => {
     for (const [name, option] of [ENCODING, MOTION, PER_KEY, IMPORT, EXPORT].flatMap(optionsIn)) {
       if (option.kind !== 'number') continue;
-      for (const value of [-1e300, 1e300]) expect(wrongWith(option, value), name).not.toBeNull();
+      for (const value of [-1e300, 1e300]) expect(validationError(option, value), name).not.toBeNull();
     }
   });
 

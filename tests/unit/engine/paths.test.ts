@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import {
   beside,
   decodedUri,
-  isMeantInFolder,
+  isImportable,
   isModel,
   modelName,
   withSpellings,
@@ -11,7 +11,7 @@ import {
   resolveUri,
   resourceUris,
   uriError,
-  urlBeside,
+  siblingUrl,
 } from '../../../web/engine/api/paths.ts';
 
 interface UriCases {
@@ -41,12 +41,12 @@ describe('paths', () => {
   it('of operating system files are ignored, unless there are no others', () => {
     const left = ['._a.obj', 'x/._a.glb', '.DS_Store', 'Thumbs.db', 'thumbs.db', 'desktop.ini', '__MACOSX/a.obj'];
     expect(left.filter(isModel)).toEqual([]);
-    expect(left.filter(isMeantInFolder)).toEqual([]);
+    expect(left.filter(isImportable)).toEqual([]);
     const names = (of: string[]): string[] => withoutLeftovers(of.map(file)).map(({ name }) => name);
     expect(names([...left, 'a.obj', 'thumbs.obj', 'a.blend'])).toEqual(['a.obj', 'thumbs.obj', 'a.blend']);
     expect(names(['Thumbs.db'])).toEqual(['Thumbs.db']);
     expect(['a.glb.txt', 'a.txt', 'a.obj.TXT'].filter(isModel)).toEqual(['a.glb.txt', 'a.obj.TXT']);
-    expect(['.hidden.obj', 'notes.txt', 'a.PLY', 'a.mdd', 'a.mtl'].filter(isMeantInFolder)).toEqual([
+    expect(['.hidden.obj', 'notes.txt', 'a.PLY', 'a.mdd', 'a.mtl'].filter(isImportable)).toEqual([
       'a.PLY',
       'a.mdd',
       'a.mtl',
@@ -71,15 +71,15 @@ describe('a URI in a file', () => {
   });
 
   it.each(Object.entries(shared.fetched))('of a model from the web leads into its folder: %j', (uri, path) => {
-    expect(urlBeside(uri, new URL(shared.model))?.href).toBe(new URL(`/${path}`, shared.model).href);
+    expect(siblingUrl(uri, new URL(shared.model))?.href).toBe(new URL(`/${path}`, shared.model).href);
   });
 
   it.each(shared.unfetched)('of a model from the web leads nowhere else: %j', (uri) => {
-    expect(urlBeside(uri, new URL(shared.model))).toBeNull();
+    expect(siblingUrl(uri, new URL(shared.model))).toBeNull();
   });
 
   it.each(['data:model/gltf+json,{}', 'blob:https://example.org/a.gltf'])('leads to no file from %s', (model) => {
-    for (const uri of ['a.png', 'https://example.org/a.png']) expect(urlBeside(uri, new URL(model))).toBeNull();
+    for (const uri of ['a.png', 'https://example.org/a.png']) expect(siblingUrl(uri, new URL(model))).toBeNull();
   });
 
   it('is listed from any JSON', () => {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { PointCache } from '../../../web/engine/caller/point-cache.ts';
-import { GridFit, STEPS, mostWeight, roundingError } from '../../../web/engine/wire/position-grid.ts';
+import { GridFit, STEPS, maxWeight, roundingError } from '../../../web/engine/wire/position-grid.ts';
 
 describe('the grid of a quantised file', () => {
   it('covers the base around its middle, at any position', () => {
@@ -19,8 +19,8 @@ describe('the grid of a quantised file', () => {
   });
 
   it('counts the weights that are active at once', () => {
-    expect(mostWeight(null, 3)).toBe(1);
-    expect(mostWeight(Float32Array.of(0, 0, 0.5, -1, 0.25, 0.25), 3)).toBe(1.5);
+    expect(maxWeight(null, 3)).toBe(1);
+    expect(maxWeight(Float32Array.of(0, 0, 0.5, -1, 0.25, 0.25), 3)).toBe(1.5);
   });
 });
 

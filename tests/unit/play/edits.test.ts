@@ -4,13 +4,16 @@ import type { Edits } from '../../../web/play/edits.ts';
 import { stepped } from '../../../web/play/figures/key-handles.ts';
 import { axesOf } from '../../../web/play/figures/plot.ts';
 import { INITIAL } from '../../../web/play/state.ts';
-import type { PlayState, Touched } from '../../../web/play/state.ts';
+import type { PlayState, LastAction } from '../../../web/play/state.ts';
 
-function editing(start: PlayState = INITIAL): { edits: Edits; now: { state: PlayState; touched: Touched | null } } {
-  const now: { state: PlayState; touched: Touched | null } = { state: start, touched: null };
+function editing(start: PlayState = INITIAL): {
+  edits: Edits;
+  now: { state: PlayState; lastAction: LastAction | null };
+} {
+  const now: { state: PlayState; lastAction: LastAction | null } = { state: start, lastAction: null };
   const edits = createEdits(
     () => now.state,
-    (state, touched) => Object.assign(now, { state, touched }),
+    (state, lastAction) => Object.assign(now, { state, lastAction }),
     () => undefined,
   );
   return { edits, now };
@@ -44,7 +47,7 @@ describe('edits', () => {
   it('change nothing if the key is selected already', () => {
     const { edits, now } = editing();
     edits.onSelect(INITIAL.selected);
-    expect(now.touched).toBeNull();
+    expect(now.lastAction).toBeNull();
   });
 
   it('keep the time within the drawn range', () => {

@@ -5,7 +5,7 @@ import { number } from '../../../web/play/figures/words.ts';
 import { readLink, writeLink } from '../../../web/play/link.ts';
 import { bendingNotice, curveNotice } from '../../../web/play/notices.ts';
 import { valueAt } from '../../../web/play/splines/curve.ts';
-import { MOST_SAMPLES } from '../../../web/play/splines/least-bending.ts';
+import { MAX_SOLVED_SAMPLES } from '../../../web/play/splines/minimise-bending.ts';
 import {
   INITIAL,
   MAX_KEYS,
@@ -16,7 +16,7 @@ import {
   setShaping,
   showLayer,
   shownTimes,
-  wrongWithKeys,
+  keysValidationError,
 } from '../../../web/play/state.ts';
 import type { PlayState } from '../../../web/play/state.ts';
 
@@ -44,7 +44,7 @@ describe('a link', () => {
   it('is empty for the initial state, and complete for any other', () => {
     expect(writeLink(INITIAL)).toBe('');
     expect(readLink('')).toBeNull();
-    expect(readLink(`#${writeLink(changed)}`)).toEqual({ state: changed, leftOut: null });
+    expect(readLink(`#${writeLink(changed)}`)).toEqual({ state: changed, ignoredValues: null });
   });
 
   it('keeps a state without any curve', () => {
@@ -54,7 +54,7 @@ describe('a link', () => {
 
   it('distinguishes close times', () => {
     const close: PlayState = { ...changed, keys: [0, 1, 1.00001, 2].map(at), selected: 0, time: 1 };
-    expect(readLink(`#${writeLink(close)}`)).toEqual({ state: close, leftOut: null });
+    expect(readLink(`#${writeLink(close)}`)).toEqual({ state: close, ignoredValues: null });
   });
 
   it.each([
@@ -88,13 +88,13 @@ describe('a link', () => {
     'spacing=wide',
     'show=nothing <script>',
   ])('leaves out what cannot be meant, and says so: %s', (text) => {
-    const { state, leftOut } = readLink(`#${text}`)!;
+    const { state, ignoredValues } = readLink(`#${text}`)!;
     expect(state).toEqual(INITIAL);
-    expect(leftOut).toContain(`The link has a value that cannot be used and was ignored: ${text.split('=')[0]}`);
+    expect(ignoredValues).toContain(`The link has a value that cannot be used and was ignored: ${text.split('=')[0]}`);
   });
 
   it('names keys that are too close', () => {
-    expect(readLink('#keys=0,0+1e-12,1+2,2&samples=1e5')!.leftOut).toBe(
+    expect(readLink('#keys=0,0+1e-12,1+2,2&samples=1e5')!.ignoredValues).toBe(
       'The link has values that cannot be used and were ignored: keys (key 2 must be later than key 1), samples.',
     );
   });
@@ -138,7 +138,7 @@ describe('with any link', () => {
             ).toEqual([]);
           }
         }
-    expect(Math.max(...counts)).toBeLessThanOrEqual(MOST_SAMPLES);
+    expect(Math.max(...counts)).toBeLessThanOrEqual(MAX_SOLVED_SAMPLES);
     expect(counts.length).toBeGreaterThan(100);
   });
 
@@ -168,11 +168,11 @@ describe('an edit', () => {
     const close: PlayState = { ...INITIAL, keys: [0, 0.5, 0.501, 0.502, 1].map(at) };
     for (const time of [-1, 0.5011, 9]) {
       const moved = moveKey(close, 2, { time, value: 1e308 });
-      expect(wrongWithKeys(moved.keys)).toBeNull();
+      expect(keysValidationError(moved.keys)).toBeNull();
     }
     let state: PlayState = { ...INITIAL, keys: [0, 2e-6, 1].map(at), selected: 0 };
     for (let i = 0; i < 5; i += 1) state = addKey({ ...state, selected: 0 }, () => ({ value: 0, across: 0 }));
-    expect(wrongWithKeys(state.keys)).toBeNull();
+    expect(keysValidationError(state.keys)).toBeNull();
     expect(state.keys).toHaveLength(4);
   });
 

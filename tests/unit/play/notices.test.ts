@@ -93,7 +93,7 @@ describe('the demonstration', () => {
       expect(new Set(states.map((state) => JSON.stringify(state))).size).toBeGreaterThan(2);
       for (const state of states) {
         const derived = derive(state);
-        expect(curveNotice(state, derived, scene.touched).length).toBeGreaterThan(30);
+        expect(curveNotice(state, derived, scene.lastAction).length).toBeGreaterThan(30);
         // Within a column, no curve bends less than the natural spline.
         for (const layer of state.layers)
           expect(derived.bending[layer] / derived.bending.natural).toBeGreaterThan(1 - 1e-9);

@@ -6,7 +6,7 @@ import { inInterval, totalBending, valueAt } from '../../../web/play/splines/cur
 import type { Curve } from '../../../web/play/splines/curve.ts';
 import { fitCurve, weightCurves } from '../../../web/play/splines/fit.ts';
 import type { CurveKind, FitOptions } from '../../../web/play/splines/fit.ts';
-import { curveThrough, leastBending, leastSamples } from '../../../web/play/splines/least-bending.ts';
+import { curveThrough, minimiseBending, minSamples } from '../../../web/play/splines/minimise-bending.ts';
 import { slopeSystem } from '../../../web/play/splines/slopes.ts';
 import { solveDense, solveTridiagonal } from '../../../web/play/splines/solve.ts';
 
@@ -128,12 +128,12 @@ describe('bending', () => {
   it('minimised by brute force approaches the natural spline, with the square of the step', () => {
     const curve = fitCurve('natural', data, none);
     const error = (samples: number): number => {
-      const sampled = leastBending(data, samples);
+      const sampled = minimiseBending(data, samples);
       expect(sampled.times.at(-1)).toBeCloseTo(4, 12);
       return Math.max(...sampled.values.map((value, i) => Math.abs(value - valueAt(curve, sampled.times[i]!))));
     };
-    expect(leastSamples(times)).toBe(18);
-    expect(leastSamples([0, 1, 2, 3, 4])).toBe(5);
+    expect(minSamples(times)).toBe(18);
+    expect(minSamples([0, 1, 2, 3, 4])).toBe(5);
     expect(error(240)).toBeLessThan(error(60) / 6);
     expect(error(60)).toBeLessThan(0.06);
   });
@@ -142,11 +142,11 @@ describe('bending', () => {
     for (const keys of [data, { times: [0, 1, 2, 3, 4], values }]) {
       const least = totalBending(fitCurve('natural', keys, none));
       const more = (samples: number): number => {
-        const curve = curveThrough(leastBending(keys, samples), keys);
+        const curve = curveThrough(minimiseBending(keys, samples), keys);
         keys.times.forEach((t, j) => expect(valueAt(curve, t)).toBeCloseTo(keys.values[j]!, 9));
         return totalBending(curve) / least - 1;
       };
-      for (let samples = leastSamples(keys.times); samples <= 60; samples += 1)
+      for (let samples = minSamples(keys.times); samples <= 60; samples += 1)
         expect(more(samples), `${samples} samples`).toBeGreaterThan(-1e-9);
       expect(more(120)).toBeLessThan(0.002);
     }
@@ -154,7 +154,7 @@ describe('bending', () => {
 
   it('of K samples is least: moving any sample without a key increases it', () => {
     const even = { times: [0, 1, 2, 3, 4], values };
-    const { values: path } = leastBending(even, 17);
+    const { values: path } = minimiseBending(even, 17);
     const energy = (of: readonly number[]): number =>
       of.slice(2).reduce((sum, value, i) => sum + (value - 2 * of[i + 1]! + of[i]!) ** 2, 0) / 0.25 ** 3;
     path.forEach((_, moved) => {

@@ -96,7 +96,7 @@ EXPORT const char* shapespline_principal_offsets(const char* request) {
       const auto numbers = elements<float>(frame);
       rows.emplace_back(numbers.begin(), numbers.end());
     }
-    const int handle = handleTable().add(principalOffsets(rows, json.at("tolerance"), json.at("most")));
+    const int handle = handleTable().add(principalOffsets(rows, json.at("tolerance"), json.at("max")));
     const PrincipalOffsets& kept = handleTable().get<PrincipalOffsets>(handle);
     return Json{{"handle", handle},
                 {"count", kept.count},

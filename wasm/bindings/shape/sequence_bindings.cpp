@@ -127,18 +127,18 @@ EXPORT const char* shapespline_blend(int handle, const char* request) {
   });
 }
 
-/// {times, mostMs} -> {volume, area, sliding} of the shapes at the first of these times: at least one, and more until
-/// mostMs is used up. Computed in double precision, on the input's faces.
+/// {times, maxMs} -> {volume, area, sliding} of the shapes at the first of these times: at least one, and more until
+/// maxMs is used up. Computed in double precision, on the input's faces.
 EXPORT const char* shapespline_measure(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
     Sequence& motion = motionOf(handle);
-    const double mostMs = json.at("mostMs");
+    const double maxMs = json.at("maxMs");
     Stopwatch watch;
     double spent = 0;
     std::vector<double> volume, area, sliding;
     Positions positions;
     for (const double t : numbersOf(json, "times")) {
-      if (!volume.empty() && spent > mostMs) break;
+      if (!volume.empty() && spent > maxMs) break;
       if (const Status status = motion.evaluate(t, positions); !status) return status.error();
       volume.push_back(enclosedVolume(positions, motion.faces()));
       area.push_back(surfaceArea(positions, motion.faces()));

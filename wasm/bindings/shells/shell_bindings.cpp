@@ -3,7 +3,7 @@
 #include "bindings/handle_table.h"
 #include "bindings/js_imports.h"
 #include "bindings/marshal.h"
-#include "shells/lead_shape.h"
+#include "shells/deformation_transfer.h"
 #include "shells/shell_bending.h"
 #include "shells/shell_motion.h"
 
@@ -17,8 +17,8 @@ struct ShapesObject {
   std::vector<std::vector<float>> shapes;
 };
 
-struct LedObject {
-  LedShape shape;
+struct TransferObject {
+  DeformationTransfer shape;
   std::vector<float> positions;  // positions of the last answer
 };
 
@@ -67,25 +67,26 @@ EXPORT const char* shapespline_fit_shells(const char* request) {
   });
 }
 
-/// {faces, keys: [positions], leader: {faces, vertexOf, faceOf}} -> {handle}: lead_shape.h.
-EXPORT const char* shapespline_lead_shape(const char* request) {
+/// {faces, keys: [positions], leader: {faces, vertexOf, faceOf}} -> {handle}: deformation_transfer.h.
+EXPORT const char* shapespline_deformation_transfer(const char* request) {
   return answer(request, [](const Json& json) -> Result<Json> {
     const Json& leader = json.at("leader");
-    auto led = LedShape::create(trianglesFrom(elements<std::int32_t>(json.at("faces"))), posesFrom(json.at("keys")),
-                                {trianglesFrom(elements<std::int32_t>(leader.at("faces"))),
-                                 indicesFrom(leader.at("faceOf")), indicesFrom(leader.at("vertexOf"))});
-    if (!led) return led.error();
-    return Json{{"handle", handleTable().add(LedObject{std::move(*led), {}})}};
+    auto transfer =
+        DeformationTransfer::create(trianglesFrom(elements<std::int32_t>(json.at("faces"))), posesFrom(json.at("keys")),
+                                    {trianglesFrom(elements<std::int32_t>(leader.at("faces"))),
+                                     indicesFrom(leader.at("faceOf")), indicesFrom(leader.at("vertexOf"))});
+    if (!transfer) return transfer.error();
+    return Json{{"handle", handleTable().add(TransferObject{std::move(*transfer), {}})}};
   });
 }
 
 /// {shape, from, to} -> {positions}, which belong to the handle until its next call.
 EXPORT const char* shapespline_follow(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {
-    LedObject& led = handleTable().get<LedObject>(handle);
-    led.positions =
-        floatsFrom(led.shape.follow(poseFrom(json.at("shape")), poseFrom(json.at("from")), poseFrom(json.at("to"))));
-    return Json{{"positions", range(led.positions.data(), led.positions.size())}};
+    TransferObject& transfer = handleTable().get<TransferObject>(handle);
+    transfer.positions = floatsFrom(
+        transfer.shape.follow(poseFrom(json.at("shape")), poseFrom(json.at("from")), poseFrom(json.at("to"))));
+    return Json{{"positions", range(transfer.positions.data(), transfer.positions.size())}};
   });
 }
 

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t fields = 4;  // a constant field, and one along each of three axes
 // Limits below which a pin is flat or a single vertex, and has no field in a direction: relative to the pin's extent,
 // and, for rounding errors, relative to the coordinates.
-constexpr double leastExtent = 1e-3, rounding = 1e-7;
+constexpr double minExtent = 1e-3, rounding = 1e-7;
 // Share of a patch's largest gradient. Pulls with smaller gradients barely rotate the patch.
 constexpr double littleGradient = 5e-3;
 
@@ -71,7 +71,7 @@ void AffineResponse::findFields(const Positions& reference) {
       const double size = std::sqrt(product(field, field));
       for (std::size_t i = begin; i < end; ++i) {
         double& f = field_[fields * i + field];
-        f = size > std::max(leastExtent * extent, rounding * given) ? f / size : 0;
+        f = size > std::max(minExtent * extent, rounding * given) ? f / size : 0;
       }
     }
     for (std::size_t i = begin; i < end; ++i)

@@ -13,7 +13,7 @@ namespace {
 
 // A solve without rotations finds part of the required rotation. That part is multiplied by this factor, up to the
 // limit.
-constexpr double further = 3, mostTurn = 1.6;  // mostTurn in radians
+constexpr double further = 3, maxTurn = 1.6;  // maxTurn in radians
 
 // Shares of a patch's original extent in two directions. A crushed patch does not determine a rotation.
 constexpr double crushed = 0.2, whole = 1;
@@ -30,7 +30,7 @@ Mat3 furtherTurn(const Mat3& planes, const Mat3& gradient) {
   const Vec3 turn =
       (curl.x() * across + curl.y() * stiff.col(2).cross(stiff.col(0)) + curl.z() * stiff.col(0).cross(stiff.col(1))) /
       across.dot(stiff.col(0));
-  const double most = mostTurn / further, was = extent(planes);
+  const double most = maxTurn / further, was = extent(planes);
   const double square = turn.squaredNorm(),
                sine = 1 / std::sqrt(std::sqrt(std::sqrt(1 + square * square * square * square)));
   const Mat3 left = expRotation(-sine * turn) * (planes + gradient);

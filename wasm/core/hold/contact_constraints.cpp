@@ -8,9 +8,9 @@ namespace shapespline {
 namespace {
 
 // Mean rest at which holding of a patch starts, and at which it is complete.
-constexpr double restsLittle = 0.1, restsWhole = 0.6;
-constexpr double softness = 0.1;   // share of the mean compliance
-constexpr int mostResponses = 48;  // rows of this size cost about as much as a solve
+constexpr double restFadeStart = 0.1, restFadeEnd = 0.6;
+constexpr double softness = 0.1;  // share of the mean compliance
+constexpr int maxResponses = 48;  // rows of this size cost about as much as a solve
 
 // Lower triangular L with L L^T = a, by rows, in place.
 void factorise(std::vector<double>& a, int n) {
@@ -38,7 +38,7 @@ ContactConstraints::ContactConstraints(const RestingSpline& path, const HoldSyst
     double most = 0;
     for (int s = 0; s < spans_; ++s) {
       double& r = rest[p * spans_ + s];
-      r = smoothstep2(r / patchArea[p], restsLittle, restsWhole);
+      r = smoothstep2(r / patchArea[p], restFadeStart, restFadeEnd);
       most = std::max(most, r);
     }
     if (!(most > 0)) continue;
@@ -54,7 +54,7 @@ ContactConstraints::ContactConstraints(const RestingSpline& path, const HoldSyst
 // Computes the displacement of all handles by a pull at one of them, three handles at once.
 void ContactConstraints::findCompliance(const HoldSystem& system, std::size_t vertices) {
   factor_.assign(static_cast<std::size_t>(count_) * count_, 0.0);
-  if (count_ <= mostResponses) response_.resize(vertices * count_);
+  if (count_ <= maxResponses) response_.resize(vertices * count_);
   HoldSystem::Scratch scratch;
   for (int first = 0; first < count_; first += 3) {
     Positions pull(vertices, Vec3::Zero()), moved = pull;

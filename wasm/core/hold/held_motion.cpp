@@ -9,10 +9,10 @@ namespace shapespline {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double leastAnchor = 1e-5, mostAnchor = 1e4, anchorTurn = 200 * degree;
+constexpr double minAnchor = 1e-5, maxAnchor = 1e4, anchorTurn = 200 * degree;
 // Rotations of the whole between keys at which the rigid fit fades out, because its target is a blend of vertices.
-constexpr double turnsLittle = 30 * degree, turnsFar = 90 * degree;
-constexpr double fitTurnsLittle = 60 * degree, fitTurnsFar = 120 * degree;
+constexpr double turnFadeStart = 30 * degree, turnFadeEnd = 90 * degree;
+constexpr double fitFadeStart = 60 * degree, fitFadeEnd = 120 * degree;
 // The fit fades in over this range of how well the mean rotation is defined, from 0 to 2.
 constexpr double scattered = 0.1, gathered = 0.5;
 constexpr double inertia = 1e-6;
@@ -71,23 +71,23 @@ HeldMotion::HeldMotion(const HoldInput& input, const Curve& curve, const std::ve
     : target_(input, curve), area_(vertexAreas(input.mesh)), heldShare_(heldShares(curve, turns)) {
   for (const auto& body : target_.rigidGroups()) {
     std::vector<double>& share = placed_.emplace_back();
-    for (const double turn : body->turns.wholeTurn) share.push_back(1 - smoothstep2(turn, turnsLittle, turnsFar));
+    for (const double turn : body->turns.wholeTurn) share.push_back(1 - smoothstep2(turn, turnFadeStart, turnFadeEnd));
   }
   anchor_ = anchorWeights(input.mesh);
 }
 
 // Area-weighted mean over each vertex's faces of the weights given by their frames' rotations.
 std::vector<double> HeldMotion::anchorWeights(const HoldMesh& mesh) const {
-  constexpr double leastTurn = 1e-9;
+  constexpr double minTurn = 1e-9;
   const std::vector<double> faceArea = faceAreas(mesh);
   const std::vector<double>& frameTurn = target_.rigidGroups()[0]->turns.frameTurn;
   std::vector<double> weight(area_.size(), 0.0);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
     if (mesh.localFrameOf[f] < 0) continue;
-    const double ratio = anchorTurn / std::max(frameTurn[mesh.localFrameOf[f]], leastTurn);
-    for (const int v : mesh.shape.faces[f]) weight[v] += faceArea[f] / 3 * std::min(ratio * ratio, mostAnchor);
+    const double ratio = anchorTurn / std::max(frameTurn[mesh.localFrameOf[f]], minTurn);
+    for (const int v : mesh.shape.faces[f]) weight[v] += faceArea[f] / 3 * std::min(ratio * ratio, maxAnchor);
   }
-  for (std::size_t v = 0; v < weight.size(); ++v) weight[v] = std::max(weight[v], leastAnchor * area_[v]);
+  for (std::size_t v = 0; v < weight.size(); ++v) weight[v] = std::max(weight[v], minAnchor * area_[v]);
   return weight;
 }
 
@@ -103,7 +103,7 @@ void HeldMotion::moveOntoTarget(const SpanPosition& inSpan, const std::vector<Qu
     const FitSums sums = fitSums(area_, mean, body.vertices, shape, target);
     const Mat3 fit = projectToRotation(stiffened(sums.covariance));
     const Vec3 angle = logRotation(fit);
-    const double taken = share * (1 - smoothstep2(angle.norm(), fitTurnsLittle, fitTurnsFar)) *
+    const double taken = share * (1 - smoothstep2(angle.norm(), fitFadeStart, fitFadeEnd)) *
                          smoothstep2(definedness(sums, fit), openFit, soundFit);
     const Mat3 turn = expRotation(taken * angle);
     moveRigidly(turn, sums.from + taken * (sums.to - sums.from) - turn * sums.from, body.vertices, shape);

@@ -53,10 +53,10 @@ FitSums fitSums(const std::vector<double>& area, const Vec3& origin, const std::
   return sums;
 }
 
-void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body,
-                   const std::vector<int>& vertices, Positions& target) {
+void blendWithGroup(double share, const Mat3& turn, const Vec3& mean, const Positions& group,
+                    const std::vector<int>& vertices, Positions& target) {
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const Vec3 moved = turn * body[i] + mean;
+    const Vec3 moved = turn * group[i] + mean;
     target[vertices[i]] = share * target[vertices[i]] + (1 - share) * moved;
   }
 }

@@ -44,9 +44,9 @@ Mat3 outerProducts(std::size_t count, const Vec3* to, const Vec3* from);
 /// Sum of weight[i] * vector[i] over `count` vectors.
 Vec3 weightedSum(std::size_t count, const double* weight, const Vec3* vector);
 
-/// target <- share * target + (1 - share) * (turn * body + mean). body: positions of `vertices`.
-void blendWithBody(double share, const Mat3& turn, const Vec3& mean, const Positions& body,
-                   const std::vector<int>& vertices, Positions& target);
+/// target <- share * target + (1 - share) * (turn * group + mean). group: positions of `vertices`.
+void blendWithGroup(double share, const Mat3& turn, const Vec3& mean, const Positions& group,
+                    const std::vector<int>& vertices, Positions& target);
 
 /// p <- turn * p + move
 void moveRigidly(const Mat3& turn, const Vec3& move, const std::vector<int>& vertices, Positions& positions);

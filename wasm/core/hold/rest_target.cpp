@@ -24,11 +24,11 @@ Positions picked(const Positions& pose, const std::vector<int>& vertices) {
 
 }  // namespace
 
-KeyTurns::KeyTurns(const HoldInput& input, const Curve& curve, const std::vector<int>& bodyOf, int body)
+KeyRotations::KeyRotations(const HoldInput& input, const Curve& curve, const std::vector<int>& groupOf, int group)
     : frameArea(input.rotation.front().size(), 0.0) {
   const std::vector<double> faceArea = faceAreas(input.mesh);
   for (std::size_t f = 0; f < faceArea.size(); ++f) {
-    const bool in = bodyOf.empty() || bodyOf[input.mesh.shape.faces[f][0]] == body;
+    const bool in = groupOf.empty() || groupOf[input.mesh.shape.faces[f][0]] == group;
     if (in && input.mesh.localFrameOf[f] >= 0) frameArea[input.mesh.localFrameOf[f]] += faceArea[f];
   }
   for (const double frame : frameArea) area += frame;
@@ -52,7 +52,7 @@ KeyTurns::KeyTurns(const HoldInput& input, const Curve& curve, const std::vector
   deforms = smoothstep2(std::sqrt(turnedAgainst / (turned + still)), rigid, deforming);
 }
 
-Mat3 KeyTurns::sumOf(const std::vector<Quaternion>& frames) const {
+Mat3 KeyRotations::sumOf(const std::vector<Quaternion>& frames) const {
   Mat3 sum = Mat3::Zero();
   for (std::size_t k = 0; k < frames.size(); ++k) sum += frameArea[k] * frames[k].toRotationMatrix();
   return sum;
@@ -61,15 +61,15 @@ Mat3 KeyTurns::sumOf(const std::vector<Quaternion>& frames) const {
 RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::vector<int>* only) {
   const WeldedShape* shape = &input.mesh.shape;
   const double size = keySize(*shape);
-  const std::vector<int> bodyOf = only ? std::vector<int>(shape->poses[0].size(), 0) : rigidGroupsOf(input.mesh);
-  for (std::size_t v = 0; v < bodyOf.size(); ++v) {
-    if (bodyOf[v] == static_cast<int>(rigidGroups_.size()))
-      rigidGroups_.emplace_back(new RigidGroup{KeyTurns(input, curve, bodyOf, bodyOf[v]), {}});
-    rigidGroups_[bodyOf[v]]->vertices.push_back(static_cast<int>(v));
+  const std::vector<int> groupOf = only ? std::vector<int>(shape->poses[0].size(), 0) : rigidGroupsOf(input.mesh);
+  for (std::size_t v = 0; v < groupOf.size(); ++v) {
+    if (groupOf[v] == static_cast<int>(rigidGroups_.size()))
+      rigidGroups_.emplace_back(new RigidGroup{KeyRotations(input, curve, groupOf, groupOf[v]), {}});
+    rigidGroups_[groupOf[v]]->vertices.push_back(static_cast<int>(v));
   }
   std::vector<Vec3> mean;
-  for (const std::unique_ptr<RigidGroup>& body : rigidGroups_)
-    for (const Positions& pose : shape->poses) mean.push_back(centroidOf(picked(pose, body->vertices)));
+  for (const std::unique_ptr<RigidGroup>& group : rigidGroups_)
+    for (const Positions& pose : shape->poses) mean.push_back(centroidOf(picked(pose, group->vertices)));
   if (only) {
     std::vector<Positions> poses;
     for (const Positions& pose : shape->poses) poses.push_back(picked(pose, *only));
@@ -79,17 +79,17 @@ RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::ve
   }
   path_.emplace(*shape, curve, PathRest{PathRest::WhereStill, size});
   const Vec3* meanOf = mean.data();
-  for (const std::unique_ptr<RigidGroup>& body : rigidGroups_) {
-    const KeyTurns& turns = body->turns;
+  for (const std::unique_ptr<RigidGroup>& group : rigidGroups_) {
+    const KeyRotations& turns = group->turns;
     if (turns.deforms < 1) {
       // Poses relative to the frame of the rigid group. In this frame, all periods are equal.
-      body->shape = shape->withMesh({}, {});
-      body->shape.closing.reset();
+      group->shape = shape->withMesh({}, {});
+      group->shape.closing.reset();
       for (std::size_t pose = 0; pose < shape->poses.size(); ++pose) {
-        Positions& seen = body->shape.poses.emplace_back(picked(shape->poses[pose], body->vertices));
+        Positions& seen = group->shape.poses.emplace_back(picked(shape->poses[pose], group->vertices));
         for (Vec3& p : seen) p = turns.whole[pose].transpose() * (p - meanOf[pose]);
       }
-      body->path.emplace(body->shape, curve, PathRest{});
+      group->path.emplace(group->shape, curve, PathRest{});
     }
     meanOf += shape->poses.size();
   }
@@ -98,12 +98,12 @@ RestTarget::RestTarget(const HoldInput& input, const Curve& curve, const std::ve
 void RestTarget::at(double t, const std::vector<Quaternion>& frames, const Vec3& mean, Positions& target,
                     Positions& scratch) const {
   path_->positionsAt(t, target);
-  for (const std::unique_ptr<RigidGroup>& body : rigidGroups_) {
-    if (!body->path) continue;
-    body->path->positionsAt(t, scratch);
-    const Vec3 own = rigidGroups_.size() > 1 ? centroidOf(picked(target, body->vertices)) : mean;
-    blendWithBody(body->turns.deforms, projectToRotation(body->turns.sumOf(frames)), own, scratch, body->vertices,
-                  target);
+  for (const std::unique_ptr<RigidGroup>& group : rigidGroups_) {
+    if (!group->path) continue;
+    group->path->positionsAt(t, scratch);
+    const Vec3 own = rigidGroups_.size() > 1 ? centroidOf(picked(target, group->vertices)) : mean;
+    blendWithGroup(group->turns.deforms, projectToRotation(group->turns.sumOf(frames)), own, scratch, group->vertices,
+                   target);
   }
 }
 

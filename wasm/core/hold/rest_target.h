@@ -12,9 +12,9 @@
 namespace shapespline {
 
 /// Rotations between keys, for the whole (or some faces) and for the frames.
-struct KeyTurns {
-  /// bodyOf: rigid group of each vertex; empty for the whole.
-  KeyTurns(const HoldInput& input, const Curve& curve, const std::vector<int>& bodyOf = {}, int body = 0);
+struct KeyRotations {
+  /// groupOf: rigid group of each vertex; empty for the whole.
+  KeyRotations(const HoldInput& input, const Curve& curve, const std::vector<int>& groupOf = {}, int group = 0);
 
   /// Area-weighted sum of the frames. Its nearest rotation is their mean rotation.
   Mat3 sumOf(const std::vector<Quaternion>& frames) const;
@@ -32,7 +32,7 @@ class RestTarget {
  public:
   /// Vertices that move as one rigid body. A single group covers the whole shape.
   struct RigidGroup {
-    KeyTurns turns;
+    KeyRotations turns;
     std::vector<int> vertices;  ///< in the order of the target
     // Poses relative to the group's frame, for nearly rigid motions.
     WeldedShape shape = {};

@@ -13,7 +13,7 @@ namespace {
 // A vertex rests in a span if it moves less than .03 of its motion in a neighbouring span. From .10 on, it does not
 // rest.
 constexpr double atRest = 0.03, inMotion = 0.10;
-constexpr double leastMotion = 1e-4;  // share of the size
+constexpr double minMotion = 1e-4;  // share of the size
 // Cosine of the angle from which a vertex counts as reversing, and the range of the speed ratio of both sides.
 constexpr double backwards = 0.5, dawdles = 0.1, hurries = 0.3;
 
@@ -84,8 +84,8 @@ void RestingSpline::findRest(double size) {
     for (int s = 0; s < count; ++s) {
       const double around = std::max(movedIn(neighbour(s - 1)), movedIn(neighbour(s + 1)));
       rest_[s][v] =
-          static_cast<float>((1 - smoothstep2(moved[s] / (around + leastMotion * size), atRest, inMotion)) *
-                             (1 - turnsBack(v, neighbour(s - 1), neighbour(s + 1), leastMotion * size / meanTime)));
+          static_cast<float>((1 - smoothstep2(moved[s] / (around + minMotion * size), atRest, inMotion)) *
+                             (1 - turnsBack(v, neighbour(s - 1), neighbour(s + 1), minMotion * size / meanTime)));
     }
     const auto restIn = [&](int span) { return span >= 0 && span < count ? rest_[span][v] : 0; };
     for (int k = 0; k <= count; ++k)

@@ -11,7 +11,7 @@ namespace shapespline {
 namespace {
 
 // Share of the total area. A smaller area is just a few vertices that happen to reverse.
-constexpr double leastResting = 1e-3;
+constexpr double minResting = 1e-3;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ double Sliding::at(double t, const Positions& shape, const std::vector<int>& wel
     resting += weight;
     square += weight * (shape[raw] - rests[v]).squaredNorm();
   }
-  if (resting < leastResting) return std::numeric_limits<double>::quiet_NaN();
+  if (resting < minResting) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(square / resting) / diagonal_;
 }
 

@@ -85,8 +85,7 @@ class FaceCoordinates {
     for (int c = 0; c < columns(); ++c) {
       const double weight = poses.column[c] - (c == poses.beyond ? 1 : 0);
       if (storedAs_[c] < 0) atRest += weight;
-      else if (std::abs(weight) >= leastWeight<Real>)
-        result.stored.push_back({storedAs_[c], static_cast<Real>(weight)});
+      else if (std::abs(weight) >= minWeight<Real>) result.stored.push_back({storedAs_[c], static_cast<Real>(weight)});
     }
     result.atRest = static_cast<Real>(atRest) * rest_;
     if (poses.beyond < 0) return result;

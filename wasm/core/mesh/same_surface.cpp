@@ -13,14 +13,14 @@ namespace {
 
 using Arc = std::array<int, 2>;  // start and end vertex
 
-Triangle fromLeastVertex(const Triangle& f) {
+Triangle fromLowestVertex(const Triangle& f) {
   const int start = static_cast<int>(std::min_element(f.begin(), f.end()) - f.begin());
   return {f[start], f[(start + 1) % 3], f[(start + 2) % 3]};
 }
 
 std::vector<Triangle> inOrder(const std::vector<Triangle>& faces) {
   std::vector<Triangle> sorted(faces.size());
-  std::transform(faces.begin(), faces.end(), sorted.begin(), fromLeastVertex);
+  std::transform(faces.begin(), faces.end(), sorted.begin(), fromLowestVertex);
   std::sort(sorted.begin(), sorted.end());
   return sorted;
 }

@@ -7,7 +7,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr int mostFaces = 500;
+constexpr int maxFaces = 500;
 // Weight of the reference, relative to all keys. Between symmetric keys, it decides instead of noise.
 constexpr double equallyCentral = 1e-5;
 
@@ -32,7 +32,7 @@ FaceFrame commonFrame(const WeldedShape& shape, const Triangle& t, int keys) {
 
 int centralKey(const WeldedShape& shape, const ShapeTopology& topology) {
   const int keys = shape.keys - (shape.closing ? 1 : 0);
-  const int stride = topology.usedFaces() / mostFaces + 1;
+  const int stride = topology.usedFaces() / maxFaces + 1;
   int visited = 0;
   std::vector<double> agreement(keys, 0);  // sum of cos^2 of half the relative angles
   std::vector<Quaternion> rotation(keys);

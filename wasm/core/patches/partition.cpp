@@ -18,8 +18,8 @@ namespace {
 constexpr int rounds = 4;
 
 // Meshes with at least largeFaceCount faces are partitioned by clusters of clusterSize faces, if each patch has at
-// least leastClusters clusters.
-constexpr int largeFaceCount = 60000, clusterSize = 8, leastClusters = 8;
+// least minClusters clusters.
+constexpr int largeFaceCount = 60000, clusterSize = 8, minClusters = 8;
 
 // Weight of the squared distance to the patch centre over the squared mean patch radius, relative to the rotation cost.
 // It keeps patches compact where all rotations agree, and is below the cost of a rotation by 7 degrees in one key.
@@ -336,7 +336,7 @@ int defaultPatchCount(int faceCount) { return std::max(1, static_cast<int>(std::
 
 Patches partitionFaces(const PatchInput& input, int wanted, const FractionReport& onProgress) {
   const int faces = static_cast<int>(input.area.size());
-  if (faces < largeFaceCount || wanted > faces / (clusterSize * leastClusters)) {
+  if (faces < largeFaceCount || wanted > faces / (clusterSize * minClusters)) {
     Partition partition(input, onProgress);
     partition.find(wanted, candidatesPerSeed);
     return partition.take();

@@ -239,8 +239,8 @@ class ConnectionEncoder {
       std::vector<Quaternion>& turn = out_.turn[s];
       for (std::size_t b = 0; b < out_.bridgedComponent.size() && !turn.empty(); ++b) {
         const auto [from, to, edges] = out_.graph.links()[first + b];
-        const bool goesFar = out_.connection.increment[s][first + b].norm() > std::numbers::pi;
-        if ((turn[from].dot(turn[to]) < 0) == goesFar) continue;
+        const bool exceedsHalfTurn = out_.connection.increment[s][first + b].norm() > std::numbers::pi;
+        if ((turn[from].dot(turn[to]) < 0) == exceedsHalfTurn) continue;
         for (std::size_t k = 0; k < turn.size(); ++k)
           if (out_.patches.componentOf[k] == out_.bridgedComponent[b]) turn[k].coeffs() *= -1;
       }

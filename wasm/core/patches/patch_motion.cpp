@@ -23,7 +23,7 @@ constexpr double atRest = 0.01;
 constexpr double surelyShort = 0.5;
 // A bend is the squared change of a rotation from step to step. The smallest bend above rounding, in radians squared;
 // and the share of the mean bend below which a rotation counts as even.
-constexpr double leastBend = 1e-6, leastShare = 0.3;
+constexpr double minBend = 1e-6, minShare = 0.3;
 // The shares of a step at which paths are compared.
 constexpr std::array<double, 3> shares = {0.25, 0.5, 0.75};
 
@@ -106,10 +106,10 @@ void PatchMotion::take(int step, const OwnTurns& turns, bool other) {
 // Both directions of the whole in a step, the shorter first.
 PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) const {
   const int root = solver.system.tree().root();
-  PartWay partWay;
-  for (std::size_t i = 0; i < shares.size(); ++i) solvePartWay(solver, step, shares[i], partWay[i]);
+  FractionRotations atFraction;
+  for (std::size_t i = 0; i < shares.size(); ++i) solveAtFraction(solver, step, shares[i], atFraction[i]);
   const bool flipped = patches_.turn[step][root].w() < 0;
-  OwnTurns turns{ownIncrements(solver, step, partWay, flipped), {}, {}};
+  OwnTurns turns{ownIncrements(solver, step, atFraction, flipped), {}, {}};
   const auto cost = [&](const std::vector<Vec3>& increment) {
     const std::vector<double>& area = patches_.graph.area();
     double sum = 0, total = 0;
@@ -124,7 +124,7 @@ PatchMotion::OwnTurns PatchMotion::ownTurns(const Solver& solver, int step) cons
   o.cost = o.otherCost = cost(turns.first);
   o.isOpen = turns.first[root].norm() > surelyShort;
   if (!o.isOpen) return turns;
-  turns.other = ownIncrements(solver, step, partWay, !flipped);
+  turns.other = ownIncrements(solver, step, atFraction, !flipped);
   o.other = meanTurn(step, turns.other);
   o.otherCost = cost(turns.other);
   if (o.otherCost < o.cost) {
@@ -188,7 +188,8 @@ Result<PatchMotion::Solver> PatchMotion::makeSolver(const std::vector<int>& step
 }
 
 // Rotations at a share of one step from the maps, up to a common rotation.
-void PatchMotion::solvePartWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const {
+void PatchMotion::solveAtFraction(const Solver& solver, int step, double share,
+                                  std::vector<Quaternion>& rotation) const {
   const int from = posesOf_[step].from;
   std::vector<Quaternion> connection = patches_.connection.key[from];
   for (std::size_t l = 0; l < connection.size(); ++l)
@@ -198,8 +199,8 @@ void PatchMotion::solvePartWay(const Solver& solver, int step, double share, std
 }
 
 // The same rotations, with the root on its own path.
-void PatchMotion::turnPartWay(const Solver& solver, int step, double share, const Vec3& rootTurn,
-                              std::vector<Quaternion>& rotation) const {
+void PatchMotion::turnAtFraction(const Solver& solver, int step, double share, const Vec3& rootTurn,
+                                 std::vector<Quaternion>& rotation) const {
   const int root = solver.system.tree().root();
   const Quaternion wanted = own_.key[posesOf_[step].from][root] * expQuaternion(share * rootTurn);
   const Quaternion turn = wanted * rotation[root].conjugate();
@@ -209,15 +210,15 @@ void PatchMotion::turnPartWay(const Solver& solver, int step, double share, cons
 // Neighbours show how many turns a patch made in a step. Among increments that differ by two full turns, the one whose
 // path is nearest to the shape's is chosen. (The increment nearest to a neighbour's would lose turns near 360 degrees.)
 // The sense decides whether the number of extra full turns is even or odd.
-std::vector<Vec3> PatchMotion::ownIncrements(const Solver& solver, int step, const PartWay& partWay,
+std::vector<Vec3> PatchMotion::ownIncrements(const Solver& solver, int step, const FractionRotations& atFraction,
                                              bool flipped) const {
   const int from = posesOf_[step].from, root = solver.system.tree().root();
   const std::vector<Quaternion>& turn = patches_.turn[step];
   std::vector<Vec3> increment;
   for (std::size_t k = 0; k < turn.size(); ++k)
     increment.push_back(own_.key[from][k].conjugate() * rotationVector(turn[k], flipped));
-  PartWay rotation = partWay;
-  for (std::size_t i = 0; i < shares.size(); ++i) turnPartWay(solver, step, shares[i], increment[root], rotation[i]);
+  FractionRotations rotation = atFraction;
+  for (std::size_t i = 0; i < shares.size(); ++i) turnAtFraction(solver, step, shares[i], increment[root], rotation[i]);
   for (std::size_t k = 0; k < increment.size(); ++k) {
     if (static_cast<int>(k) == root || increment[k].norm() < noAxis) continue;
     const Vec3 first = increment[k], turns = first.normalized() * (2 * twoPi);
@@ -241,9 +242,9 @@ GlobalAlignment PatchMotion::makeAlignment(const Solver& solver, const std::vect
   std::vector<std::vector<Quaternion>> halfway;
   for (const int s : steps) {
     std::vector<Quaternion> x;
-    solvePartWay(solver, s, 0.5, x);
+    solveAtFraction(solver, s, 0.5, x);
     const int root = solver.system.tree().root();
-    turnPartWay(solver, s, 0.5, own_.increment[s][root], x);
+    turnAtFraction(solver, s, 0.5, own_.increment[s][root], x);
     const int from = posesOf_[s].from;
     for (std::size_t k = 0; k < x.size(); ++k)
       x[k] = own_.key[from][k] * expQuaternion(own_.increment[s][k] / 2) * x[k].conjugate();
@@ -260,14 +261,14 @@ std::vector<double> PatchMotion::evennessWeights(bool isLoop) const {
   double sum = 0, total = 0;
   for (std::size_t k = 0; k < weight.size(); ++k) {
     const auto turn = [&](int s) -> Vec3 { return own_.key[posesOf_[s].from][k] * own_.increment[s][k]; };
-    bend.push_back(leastBend);
+    bend.push_back(minBend);
     for (int s = 1; s <= last; ++s) bend[k] += (turn(s) - turn(s - 1)).squaredNorm();
     if (isLoop) bend[k] += (turn(0) - turn(last)).squaredNorm();
     else if (closing_) bend[k] += (closing_->rotation * turn(0) - turn(last)).squaredNorm();
     sum += weight[k] * bend[k];
     total += weight[k];
   }
-  for (std::size_t k = 0; k < weight.size(); ++k) weight[k] /= bend[k] * total / sum + leastShare;
+  for (std::size_t k = 0; k < weight.size(); ++k) weight[k] /= bend[k] * total / sum + minShare;
   return weight;
 }
 

@@ -65,15 +65,16 @@ class PatchMotion {
   PatchMotion(const WeldedShape& shape, PatchCoordinates coordinates);
   std::vector<int> stepsOf(const WeldedShape& shape, bool loop) const;
   Result<Solver> makeSolver(const std::vector<int>& steps) const;
-  using PartWay = std::array<std::vector<Quaternion>, 3>;
+  using FractionRotations = std::array<std::vector<Quaternion>, 3>;
   struct OwnTurns {
     std::vector<Vec3> first, other;  // increments of all patches
     TurnOptions options;
   };
-  void solvePartWay(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
-  void turnPartWay(const Solver& solver, int step, double share, const Vec3& rootTurn,
-                   std::vector<Quaternion>& rotation) const;
-  std::vector<Vec3> ownIncrements(const Solver& solver, int step, const PartWay& partWay, bool flipped) const;
+  void solveAtFraction(const Solver& solver, int step, double share, std::vector<Quaternion>& rotation) const;
+  void turnAtFraction(const Solver& solver, int step, double share, const Vec3& rootTurn,
+                      std::vector<Quaternion>& rotation) const;
+  std::vector<Vec3> ownIncrements(const Solver& solver, int step, const FractionRotations& atFraction,
+                                  bool flipped) const;
   OwnTurns ownTurns(const Solver& solver, int step) const;
   void take(int step, const OwnTurns& turns, bool other);
   void findOwnPaths(const std::vector<int>& open);

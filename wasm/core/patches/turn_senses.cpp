@@ -61,7 +61,7 @@ class SenseSearch {
 
   std::vector<OpenTurn> run() {
     believeCertainJoints();
-    sumWhatIsSaid();
+    sumEvidence();
     while (!queue_.empty()) joinNext();
     for (std::size_t i = 0; i < turn_.size(); ++i)
       if (sets_.find(static_cast<int>(i)).flipped) turn_[i].coeffs() *= -1;
@@ -70,7 +70,7 @@ class SenseSearch {
 
  private:
   // Evidence of the joints between two sets: positive if the signs agree.
-  struct Said {
+  struct SignEvidence {
     double sum = 0, length = 0;
   };
   struct Next {
@@ -81,7 +81,7 @@ class SenseSearch {
       return a != o.a ? a > o.a : b > o.b;
     }
   };
-  using Neighbours = std::unordered_map<int, Said>;
+  using Neighbours = std::unordered_map<int, SignEvidence>;
 
   double dot(const TurnJoint& j) const { return turn_[j.first].dot(turn_[j.second]); }
   static double shorterTurn(double dot) { return 2 * std::acos(std::min(1.0, std::abs(dot))); }
@@ -108,18 +108,18 @@ class SenseSearch {
     area_ = std::move(sum);
   }
 
-  void sumWhatIsSaid() {
+  void sumEvidence() {
     for (const int j : uncertain_) {
       const auto a = sets_.find(joints_[j].first), b = sets_.find(joints_[j].second);
       if (a.set == b.set) continue;
       const double cosine = dot(joints_[j]), says = joints_[j].length * (std::numbers::pi - shorterTurn(cosine));
-      Said& said = neighbours_[std::min(a.set, b.set)][std::max(a.set, b.set)];
-      said.sum += a.flipped ^ b.flipped ^ (cosine < 0) ? -says : says;
-      said.length += joints_[j].length;
+      SignEvidence& evidence = neighbours_[std::min(a.set, b.set)][std::max(a.set, b.set)];
+      evidence.sum += a.flipped ^ b.flipped ^ (cosine < 0) ? -says : says;
+      evidence.length += joints_[j].length;
     }
     std::vector<Next> pairs;
     for (const auto& [a, others] : neighbours_)
-      for (const auto& [b, said] : others) pairs.push_back({std::abs(said.sum), a, b});
+      for (const auto& [b, evidence] : others) pairs.push_back({std::abs(evidence.sum), a, b});
     for (const auto& [strength, a, b] : pairs) neighbours_[b][a] = neighbours_[a][b];
     queue_ = std::priority_queue<Next>({}, std::move(pairs));
   }
@@ -129,18 +129,18 @@ class SenseSearch {
     queue_.pop();
     const auto found = neighbours_[next.a].find(next.b);
     if (found == neighbours_[next.a].end() || std::abs(found->second.sum) != next.strength) return;
-    const Said said = found->second;
+    const SignEvidence evidence = found->second;
     const auto [small, large] = area_[next.a] < area_[next.b] ? std::pair(next.a, next.b) : std::pair(next.b, next.a);
-    noteIfOpen(small, said);
+    noteIfOpen(small, evidence);
     int set = next.a, other = next.b;
     if (neighbours_[set].size() < neighbours_[other].size()) std::swap(set, other);
-    sets_.join(set, other, said.sum < 0);
+    sets_.join(set, other, evidence.sum < 0);
     area_[set] += area_[other];
     neighbours_[set].erase(other);
     neighbours_[other].erase(set);
     for (const auto& [c, toOther] : neighbours_[other]) {
-      Said& sum = neighbours_[set][c];
-      sum.sum += said.sum < 0 ? -toOther.sum : toOther.sum;
+      SignEvidence& sum = neighbours_[set][c];
+      sum.sum += evidence.sum < 0 ? -toOther.sum : toOther.sum;
       sum.length += toOther.length;
       neighbours_[c].erase(other);
       neighbours_[c][set] = sum;
@@ -149,8 +149,8 @@ class SenseSearch {
     neighbours_.erase(other);
   }
 
-  void noteIfOpen(int set, const Said& said) {
-    const double angle = std::numbers::pi - std::abs(said.sum) / said.length, share = area_[set] / total_;
+  void noteIfOpen(int set, const SignEvidence& evidence) {
+    const double angle = std::numbers::pi - std::abs(evidence.sum) / evidence.length, share = area_[set] / total_;
     if (angle >= openTurn && share >= smallShare) open_.push_back({set, angle, share});
   }
 

@@ -10,9 +10,9 @@ namespace shapespline {
 namespace {
 
 // A sample of this size suffices.
-constexpr int askedVertices = 50000;
+constexpr int sampledVertices = 50000;
 // Total curvature of all domes (a sphere has 4 pi) below which they are inconclusive.
-constexpr double leastCurvature = 1;
+constexpr double minCurvature = 1;
 // Boundary vertices squared over all vertices. From a disc on, which has slightly less than 4 pi, the shape is a sheet.
 constexpr double sheetBoundary = 11;
 // Poses of animals and people agree to 0.77 or more, a ball with growing spikes to 0.04. Their mirror images have the
@@ -62,8 +62,8 @@ struct Surroundings {
 };
 
 // The sampled vertices, every stride-th, and their corners: c of face f as 3 f + c.
-struct Asked {
-  explicit Asked(const WeldedShape& shape) : stride(1 + shape.vertexCount() / askedVertices) {
+struct SampledVertices {
+  explicit SampledVertices(const WeldedShape& shape) : stride(1 + shape.vertexCount() / sampledVertices) {
     inBlocks({}, shape.faces.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f)
         for (int c = 0; c < 3; ++c)
@@ -76,13 +76,13 @@ struct Asked {
 };
 
 // Bulges of all sampled vertices; zero for a sheet.
-std::vector<double> bulges(const WeldedShape& shape, int key, const Asked& asked) {
-  std::vector<Surroundings> around(shape.vertexCount() / asked.stride + 1);
-  inBlocks({}, asked.corners.size(), [&](std::size_t begin, std::size_t end) {
+std::vector<double> bulges(const WeldedShape& shape, int key, const SampledVertices& sampled) {
+  std::vector<Surroundings> around(shape.vertexCount() / sampled.stride + 1);
+  inBlocks({}, sampled.corners.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Triangle& t = shape.faces[asked.corners[i] / 3];
-      const int c = asked.corners[i] % 3;
-      around[t[c] / asked.stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
+      const Triangle& t = shape.faces[sampled.corners[i] / 3];
+      const int c = sampled.corners[i] % 3;
+      around[t[c] / sampled.stride].add(shape.poses[key], t[c], t[(c + 1) % 3], t[(c + 2) % 3]);
     }
   });
   std::vector<double> result;
@@ -92,7 +92,7 @@ std::vector<double> bulges(const WeldedShape& shape, int key, const Asked& asked
     boundary += s.isOnBoundary();
     result.push_back(s.bulge());
   }
-  if (asked.stride * boundary * boundary > sheetBoundary * used) std::fill(result.begin(), result.end(), 0);
+  if (sampled.stride * boundary * boundary > sheetBoundary * used) std::fill(result.begin(), result.end(), 0);
   return result;
 }
 
@@ -104,23 +104,23 @@ double agreement(const std::vector<double>& a, const std::vector<double>& b, int
     common += both;
     mean += (std::abs(a[i]) + std::abs(b[i])) / 2;
   }
-  return stride * common >= leastCurvature ? sum / mean : 1;
+  return stride * common >= minCurvature ? sum / mean : 1;
 }
 
 }  // namespace
 
 double bulgeAgreement(const WeldedShape& shape, int key, int otherKey) {
-  const Asked asked(shape);
-  return agreement(bulges(shape, key, asked), bulges(shape, otherKey, asked), asked.stride);
+  const SampledVertices sampled(shape);
+  return agreement(bulges(shape, key, sampled), bulges(shape, otherKey, sampled), sampled.stride);
 }
 
 std::vector<int> mirroredKeys(const WeldedShape& shape) {
-  const Asked asked(shape);
-  const std::vector<double> reference = bulges(shape, shape.reference, asked);
+  const SampledVertices sampled(shape);
+  const std::vector<double> reference = bulges(shape, shape.reference, sampled);
   std::vector<int> sides[2];
   for (int key = 0; key < shape.keys; ++key) {
     const bool isOther =
-        key != shape.reference && agreement(reference, bulges(shape, key, asked), asked.stride) < mirroredAgreement;
+        key != shape.reference && agreement(reference, bulges(shape, key, sampled), sampled.stride) < mirroredAgreement;
     sides[isOther].push_back(key);
   }
   return sides[sides[1].size() <= sides[0].size()];

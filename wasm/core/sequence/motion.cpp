@@ -12,15 +12,15 @@ namespace shapespline {
 
 namespace {
 
-/// Upper bound on added turns. Same as MOST_TURNS in web/engine/api/option-table.ts.
-constexpr int mostTurns = 100;
+/// Upper bound on added turns. Same as MAX_TURNS in web/engine/api/option-table.ts.
+constexpr int maxTurns = 100;
 
 Status checkTurns(const std::vector<AddedTurns>& turns, int keyCount, int components) {
   const auto number = [](int index) { return std::to_string(static_cast<std::int64_t>(index) + 1); };  // counted from 1
   for (const AddedTurns& t : turns) {
-    if (t.key < 1 || t.key >= keyCount || t.turns < -mostTurns || t.turns > mostTurns)
+    if (t.key < 1 || t.key >= keyCount || t.turns < -maxTurns || t.turns > maxTurns)
       return Error{ErrorCode::InvalidOption, "Full turns can be added to keys 2 to " + std::to_string(keyCount) +
-                                                 ", up to " + grouped(mostTurns) + " each; got " +
+                                                 ", up to " + grouped(maxTurns) + " each; got " +
                                                  std::to_string(t.turns) + " for key " + number(t.key) + "."};
     if (t.component < -1 || t.component >= components)
       return Error{ErrorCode::InvalidOption, "Full turns are added to component " + number(t.component) +
@@ -127,10 +127,10 @@ void Motion::collectWarnings(const EncodedShape& encoded) {
 }
 
 void Motion::warnOfTurnedLoop(const WeldedShape& shape) {
-  constexpr double leastTurn = std::numbers::pi / 180;
+  constexpr double minTurn = std::numbers::pi / 180;
   if (!curve_.closesOnLastKey() || options_.inPlace) return;
   const double angle = shape.closing->rotation.angularDistance(Quaternion::Identity());
-  if (angle < leastTurn) return;
+  if (angle < minTurn) return;
   warnings_.push_back({"loop-turns",
                        "Each period of the loop ends " + angleText(angle) +
                            " from its start. An exported period jumps back when it is repeated, unless it is exported "

@@ -10,17 +10,17 @@ namespace shapespline {
 
 namespace {
 
-// Plots take memory and time that grow with the square of the number of keys. Same limit as MOST_MOTION_KEYS in
+// Plots take memory and time that grow with the square of the number of keys. Same limit as MAX_MOTION_KEYS in
 // web/engine/caller/fitted-motion.ts.
-constexpr int mostKeys = 2000;
+constexpr int maxKeys = 2000;
 
 }  // namespace
 
 Result<std::shared_ptr<SharedShape>> SharedShape::encode(Keyframes keyframes, const EncodingOptions& options,
                                                          const StageProgress& progress) {
-  if (keyframes.keyCount() > mostKeys)
+  if (keyframes.keyCount() > maxKeys)
     return Error{ErrorCode::TooLarge, "There are " + grouped(keyframes.keyCount()) +
-                                          " keys, but a motion can have at most " + grouped(mostKeys) +
+                                          " keys, but a motion can have at most " + grouped(maxKeys) +
                                           ". Use fewer keys."};
   auto encoded = EncodedShape::build(std::move(keyframes), options, progress);
   if (!encoded) return encoded.error();

@@ -10,17 +10,17 @@ namespace shapespline {
 namespace {
 
 // Shares of the shape. Torn faces below them, by number or area, are slivers.
-constexpr double leastShare = 0.001;
-constexpr int leastCount = 4;
+constexpr double minShare = 0.001;
+constexpr int minCount = 4;
 
 }  // namespace
 
 std::vector<Warning> tornWarnings(const WeldedShape& shape, const RotationStrainSpace& space) {
   std::vector<Warning> warnings;
-  const double least = std::max<double>(leastCount, leastShare * shape.faceCount());
+  const double least = std::max<double>(minCount, minShare * shape.faceCount());
   for (int s = 0; s + 1 < shape.keys; ++s) {
     const AmbiguousFaces& torn = space.tornFaces()[s];
-    if (torn.worst < 0 || torn.count < least || torn.area < leastShare) continue;
+    if (torn.worst < 0 || torn.count < least || torn.area < minShare) continue;
     warnings.push_back(
         {"torn-faces",
          "Between key " + std::to_string(s + 1) + " and key " + std::to_string(s + 2) + " " + grouped(torn.count) +

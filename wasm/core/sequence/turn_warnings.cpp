@@ -31,7 +31,7 @@ class TurnWarnings {
       : shape_(shape), patches_(motion.coordinates()), motion_(motion), patchOfFace_(patchOfFace) {
     double total = 0;
     for (double a : patches_.graph.area()) total += a;
-    leastArea_ = smallPatch * total / patches_.graph.patchCount();
+    minArea_ = smallPatch * total / patches_.graph.patchCount();
   }
 
   // turns: the full turns added in this step.
@@ -116,7 +116,7 @@ class TurnWarnings {
       const auto [i, j, edges] = patches_.graph.links()[l];
       const double angle = patches_.connection.increment[step_][l].norm(), residual = patches_.residual[step_][l];
       const bool ambiguous = angle > ambiguousTurn || residual > ambiguousResidual;
-      if (!ambiguous || std::min(patches_.graph.area()[i], patches_.graph.area()[j]) < leastArea_) continue;
+      if (!ambiguous || std::min(patches_.graph.area()[i], patches_.graph.area()[j]) < minArea_) continue;
       ++count;
       found.insert(found.end(), {i, j});
       const double badness = angle / ambiguousTurn + residual / ambiguousResidual;
@@ -184,7 +184,7 @@ class TurnWarnings {
   const PatchCoordinates& patches_;
   const PatchMotion& motion_;
   const std::vector<int>& patchOfFace_;
-  double leastArea_;
+  double minArea_;
   int step_ = 0;
   std::vector<AddedTurns> turns_;
   std::vector<Warning> warnings_;

@@ -20,7 +20,7 @@ constexpr double betweenFactor = 3, beyondFactor = 8;
 constexpr int samples = 8;  // per interval
 // Larger rotations past the keys are reported. Beyond the ends, fast rotations continue far.
 constexpr double betweenAngle = std::numbers::pi / 2, beyondAngle = 4 * std::numbers::pi;
-constexpr double mostOutside = 0.25;  // as rotations, for edge lengths
+constexpr double maxOutside = 0.25;  // as rotations, for edge lengths
 
 struct Suspect {
   double time, weight, ratio;
@@ -110,7 +110,7 @@ Overshoot ofLengths(const EncodedShape& encoded, const Positions& shape) {
         face = static_cast<int>(f);
       }
     }
-  if (outside <= mostOutside * whole) return {};
+  if (outside <= maxOutside * whole) return {};
   const double share = 100 * outside / whole;
   return {std::isfinite(share) ? grouped(std::llround(share)) + " % of their edge lengths" : "an unlimited distance",
           face};

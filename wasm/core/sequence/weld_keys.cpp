@@ -15,7 +15,7 @@ namespace shapespline {
 
 namespace {
 
-constexpr int leastGhostFaces = 4;
+constexpr int minGhostFaces = 4;
 // Share of the diagonal. Poses closer than this are equal up to rounding and modelling noise.
 constexpr double samePose = 1e-4;
 
@@ -26,8 +26,8 @@ Status checkEncoding(const EncodingOptions& o, const Keyframes& k) {
                    std::to_string(k.keyCount()) + " keys.");
   if (o.patches < 0)
     return invalid("The number of patches is " + grouped(o.patches) + ". Use 0 for the default, or a positive number.");
-  if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < leastGhostFaces))
-    return invalid("A ghost mesh needs at least " + std::to_string(leastGhostFaces) + " faces, but " +
+  if (o.ghostFaces < 0 || (o.ghostFaces > 0 && o.ghostFaces < minGhostFaces))
+    return invalid("A ghost mesh needs at least " + std::to_string(minGhostFaces) + " faces, but " +
                    grouped(o.ghostFaces) + " were requested. Use 0 for no ghost mesh.");
   for (const auto* tangent : {&o.startTangent, &o.endTangent}) {
     if (!*tangent) continue;

@@ -89,13 +89,13 @@ PrincipalPlane::PrincipalPlane(const Eigen::MatrixXd& gram, int keys) : gram_(gr
   if (direction_.col(1).isZero(0)) leanTowards(keys, 1e-14 * total);
 }
 
-void PrincipalPlane::leanTowards(Eigen::Index firstColumn, double leastSquare) {
+void PrincipalPlane::leanTowards(Eigen::Index firstColumn, double minSquare) {
   for (Eigen::Index c = firstColumn; c < gram_.cols(); ++c) {
     Eigen::VectorXd off = Eigen::VectorXd::Unit(gram_.cols(), c) - mean_;
     off -= direction_.col(0) * direction_.col(0).dot(gram_ * off);
     const double square = off.dot(gram_ * off);
-    if (!(square > leastSquare)) continue;
-    leastSquare = square;
+    if (!(square > minSquare)) continue;
+    minSquare = square;
     direction_.col(1) = off / std::sqrt(square);
   }
 }

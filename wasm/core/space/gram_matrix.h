@@ -46,7 +46,7 @@ class PrincipalPlane {
   double explained() const { return explained_; }
 
  private:
-  void leanTowards(Eigen::Index firstColumn, double leastSquare);
+  void leanTowards(Eigen::Index firstColumn, double minSquare);
 
   Eigen::MatrixXd gram_;
   Eigen::VectorXd mean_;       // weights of the mean of the keys

@@ -14,7 +14,7 @@ namespace {
 
 // Squared longest edge over twice the area. Single precision can miss the keys only with more slender triangles.
 constexpr double slender = 100;
-constexpr double mostMissed = 1e-5;  // share of the diagonal
+constexpr double maxMissed = 1e-5;  // share of the diagonal
 
 bool hasNeedles(const WeldedShape& shape) {
   for (int j = 0; j < shape.keys; ++j)
@@ -112,7 +112,7 @@ bool LriSpace::missesKeys() const {
   const Columns columns{keys_->shape.keys};
   std::vector<const Positions*> keys;
   for (int j = 0; j < columns.keys; ++j) keys.push_back(&keys_->shape.poses[j]);
-  const double most = mostMissed * boundingDiagonal(keys);
+  const double most = maxMissed * boundingDiagonal(keys);
   Scratch scratch;
   LocalFrames frames;
   Positions positions;

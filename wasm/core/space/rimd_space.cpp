@@ -13,7 +13,7 @@ namespace {
 // Steps per frame. More steps move away from LRI space without reducing the error.
 constexpr int rounds = 3;
 // Pairs with large relative rotations in a step have less weight, but never zero.
-constexpr double leastAgreement = 1e-5;
+constexpr double minAgreement = 1e-5;
 
 // The rotation nearest to a matrix: Newton's iteration for the polar factor (Higham 1986), until it converges.
 Quaternion nearestRotation(const Mat3& matrix) {
@@ -63,7 +63,7 @@ RotationSplines differencesOf(const WeldedShape& shape, const std::vector<Pair>&
 double agreementOf(const RotationSplines& differences, int keys, std::size_t pair) {
   double largest = 0;
   for (int s = 0; s + 1 < keys; ++s) largest = std::max(largest, differences.increment[s][pair].norm());
-  return leastAgreement + std::pow(agreement(largest), 6);
+  return minAgreement + std::pow(agreement(largest), 6);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 // A correction leaves about 1e-5 of itself as error, so the last correction leaves less than 1e-11 of the extent.
 constexpr double smallCorrection = 1e-6;
 // Three corrections are typical. Systems close to the limit of single precision take more.
-constexpr int mostCorrections = 12;
+constexpr int maxCorrections = 12;
 
 }  // namespace
 
@@ -58,7 +58,7 @@ void IterativeRefinement::solve(const Cholesky& solver, const double* b, double*
       if (b[i] != 0) return false;
     return true;
   }());
-  for (int step = 0; step < mostCorrections; ++step) {
+  for (int step = 0; step < maxCorrections; ++step) {
     scratch.residual.assign(b, b + length);
     subtractProduct(x, scratch.residual.data());
     std::copy(scratch.residual.begin(), scratch.residual.end(), scratch.correction.begin());

@@ -127,9 +127,9 @@ Result<DiscreteSpline> DiscreteSpline::fit(const std::vector<double>& keyTimes, 
   double shortest = span;
   for (std::size_t j = 1; j < keyTimes.size(); ++j) shortest = std::min(shortest, keyTimes[j] - keyTimes[j - 1]);
   const int least = std::max(4, static_cast<int>(std::min(std::ceil(span / shortest * (1 - 1e-9)), 1e9)) + 1);
-  if (samples < least || samples > mostSamples)
+  if (samples < least || samples > maxSamples)
     return Error{ErrorCode::InvalidOption, "The path has " + grouped(samples) + " samples. Use " + grouped(least) +
-                                               " to " + grouped(mostSamples) +
+                                               " to " + grouped(maxSamples) +
                                                ", at least one for every interval between keys."};
 
   const Index columns = curve.weights(curve.start()).size();

@@ -23,11 +23,11 @@ Eigen::MatrixXd product(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
 class DiscreteSpline {
  public:
   /// Samples the curve through keyTimes. Costs K^3. Errors: InvalidOption (fewer than four samples, fewer than one per
-  /// shortest interval between keys, or more than mostSamples).
+  /// shortest interval between keys, or more than maxSamples).
   static Result<DiscreteSpline> fit(const std::vector<double>& keyTimes, BoundaryKind boundary, const Curve& curve,
                                     int samples);
 
-  static constexpr int mostSamples = 1000;
+  static constexpr int maxSamples = 1000;
 
   const std::vector<double>& times() const { return times_; }
 

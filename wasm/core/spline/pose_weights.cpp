@@ -13,7 +13,7 @@ PoseWeights poseWeights(const CurvePoint& point, const PoseRoles& roles) {
   if (roles.startTangent >= 0) result.column[roles.startTangent] = w[columns.startTangent()];
   if (roles.endTangent >= 0) result.column[roles.endTangent] = w[columns.endTangent()];
   for (double& weight : result.column)
-    if (std::abs(weight) < leastWeight<double>) weight = 0;
+    if (std::abs(weight) < minWeight<double>) weight = 0;
   result.keys = roles.keys;
   result.beyond = point.beyond;
   return result;

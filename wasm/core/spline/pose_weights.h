@@ -14,7 +14,7 @@ namespace shapespline {
 /// factor of about 0.27 from key to key, so all omitted weights sum to less than three times the largest. The numbers
 /// (logarithms of rotations, stretches) rarely exceed ten. The error therefore stays below half a rounding step.
 template <class Real>
-inline constexpr double leastWeight = std::numeric_limits<Real>::epsilon() / 64;
+inline constexpr double minWeight = std::numeric_limits<Real>::epsilon() / 64;
 
 /// Weights of the encoded poses.
 struct PoseWeights {

@@ -64,7 +64,7 @@ struct Import {
   std::vector<AnimationInfo> animations;
   int animation = -1;                  ///< index of the animation that provided the keys, or -1
   std::vector<std::string> objects;    ///< names of optional objects in the first file, without duplicates
-  std::vector<MatchedObject> matches;  ///< matches in later files with objects; at most mostObjects
+  std::vector<MatchedObject> matches;  ///< matches in later files with objects; at most maxObjects
   std::vector<Warning> warnings;
   /// Offset subtracted from all positions in double precision, in metres with Y up: position + offset is the true
   /// position. Readers set the offset of a saved project.

@@ -7,16 +7,16 @@
 
 namespace shapespline {
 
-bool holdsObject(const std::vector<std::string>& names, const std::string& name) {
+bool hasObject(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 void addObject(const std::string& name, std::vector<std::string>& names) {
-  if (names.size() < mostObjects && !holdsObject(names, name)) names.push_back(name);
+  if (names.size() < maxObjects && !hasObject(names, name)) names.push_back(name);
 }
 
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name) {
-  return wanted.empty() || holdsObject(wanted, name);
+  return wanted.empty() || hasObject(wanted, name);
 }
 
 std::string objectList(const std::vector<std::string>& names) {
@@ -29,7 +29,7 @@ std::string objectList(const std::vector<std::string>& names) {
 Status checkObjects(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
                     const std::string& where) {
   for (const std::string& name : wanted) {
-    if (holdsObject(names, name)) continue;
+    if (hasObject(names, name)) continue;
     std::string message = where;
     message.append(" has no object ").append(inQuotes(name)).append(names.empty() ? "; named objects: " : "; it has ");
     message.append(objectList(names)).append(".");

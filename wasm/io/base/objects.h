@@ -9,13 +9,13 @@
 namespace shapespline {
 
 /// Most names in a list of objects. A longer list is useless for choosing.
-constexpr std::size_t mostObjects = 1000;
+constexpr std::size_t maxObjects = 1000;
 
 /// Appends a name unless the list has it already.
 void addObject(const std::string& name, std::vector<std::string>& names);
 
 /// Whether the list contains the name.
-bool holdsObject(const std::vector<std::string>& names, const std::string& name);
+bool hasObject(const std::vector<std::string>& names, const std::string& name);
 
 /// Whether an object with this name is selected. An empty list selects all.
 bool takesObject(const std::vector<std::string>& wanted, const std::string& name);

@@ -10,9 +10,9 @@ namespace shapespline {
 namespace {
 
 // Most vertices of all keys together. Their positions and encoding still fit a 32-bit address space.
-constexpr std::uint64_t mostKeyVertices = 60'000'000;
+constexpr std::uint64_t maxKeyVertices = 60'000'000;
 // A file with more keys is a recording, not a set of key poses.
-constexpr std::size_t mostKeys = 10'000;
+constexpr std::size_t maxKeys = 10'000;
 
 Status checkTimes(const std::vector<double>& times) {
   for (std::size_t i = 0; i < times.size(); ++i)
@@ -49,7 +49,7 @@ Result<std::vector<double>> sampleTimes(const ImportOptions& options, double sta
 std::string sampleName(double seconds) { return shortNumber(std::round(1000 * seconds) / 1000) + " s"; }
 
 Status checkKeyCount(std::size_t keys, std::size_t vertices, const std::string& where) {
-  if (keys <= mostKeys && static_cast<std::uint64_t>(keys) * vertices <= mostKeyVertices) return {};
+  if (keys <= maxKeys && static_cast<std::uint64_t>(keys) * vertices <= maxKeyVertices) return {};
   return Error{ErrorCode::TooLarge, where + ": " + grouped(static_cast<std::int64_t>(keys)) + " keys of " +
                                         grouped(static_cast<std::int64_t>(vertices)) +
                                         " vertices exceed the limit. Use fewer keys."};

@@ -12,7 +12,7 @@
 namespace shapespline {
 
 /// Up to this many key times, an animation of stored shapes uses them all as keys.
-constexpr std::size_t mostOwnKeys = 32;
+constexpr std::size_t maxOwnKeys = 32;
 
 /// Returns the requested times, or evenly spaced times over the animation. Warns about times outside the animation.
 /// `what`: name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.

@@ -109,7 +109,7 @@ bool hasScheme(std::string_view uri) {
 
 }  // namespace
 
-Result<Resource> resolveUri(std::string_view uri, std::string_view from, const GivenFiles& files,
+Result<Resource> resolveUri(std::string_view uri, std::string_view from, const SourceFiles& files,
                             const std::string& where) {
   if (uri.starts_with("data:")) return dataResource(uri, where);
   const std::string head = headOf(uri);

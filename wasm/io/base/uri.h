@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/status.h"
-#include "io/base/given_files.h"
+#include "io/base/source_files.h"
 
 namespace shapespline {
 
@@ -29,7 +29,7 @@ struct Resource {
 /// folders are found by name alone. `where`: display name of the file with the URI.
 /// Errors: ExternalResource for other schemes, hosts and paths that leave the given files; MissingResource;
 /// MalformedFile for a data URI that cannot be decoded.
-Result<Resource> resolveUri(std::string_view uri, std::string_view from, const GivenFiles& files,
+Result<Resource> resolveUri(std::string_view uri, std::string_view from, const SourceFiles& files,
                             const std::string& where);
 
 }  // namespace shapespline

@@ -10,7 +10,7 @@ namespace shapespline {
 namespace {
 
 // gltf_json reads whole numbers up to this limit. Other programs fail beyond it as well.
-constexpr std::uint64_t mostGlbBytes = 0x7fffffff;
+constexpr std::uint64_t maxGlbBytes = 0x7fffffff;
 
 }  // namespace
 
@@ -21,9 +21,9 @@ Result<std::vector<std::uint8_t>> GlbBuilder::finish() {
   std::string text = doc.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const std::uint64_t total = 12 + 8 + text.size() + 8 + bin.size();
-  if (total > mostGlbBytes)
+  if (total > maxGlbBytes)
     return Error{ErrorCode::TooLarge, "The file would be " + sizeText(total) + ". A GLB of more than " +
-                                          sizeText(mostGlbBytes) + " could not be opened again. Export fewer frames."};
+                                          sizeText(maxGlbBytes) + " could not be opened again. Export fewer frames."};
   std::string head = "glTF";
   const auto word = [&](std::uint64_t value) {
     for (int shift = 0; shift < 32; shift += 8) head += static_cast<char>(value >> shift & 0xff);

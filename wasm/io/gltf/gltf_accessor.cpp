@@ -105,7 +105,7 @@ struct Reader {
     if (componentBytes(a.componentType) == 0) return malformed("has an unknown component type");
     if (tinygltf::GetNumComponentsInType(a.type) != components)
       return malformed("does not have " + std::to_string(components) + " components");
-    if (a.bufferView < 0 && a.count > mostElements)
+    if (a.bufferView < 0 && a.count > maxElements)
       return Error{ErrorCode::TooLarge, doc.where + ": " + what + " declares " + grouped(std::int64_t(a.count)) +
                                             " elements, more than is supported. Simplify the mesh first."};
     return &a;

@@ -21,7 +21,7 @@ using Interpolation = AnimationCurve::Interpolation;
 
 // Limit of the numbers in all curves together: half a gigabyte. Channels may share accessors, so a small file could
 // declare any amount.
-constexpr std::uint64_t mostNumbers = 64'000'000;
+constexpr std::uint64_t maxNumbers = 64'000'000;
 
 std::optional<Path> pathOf(const std::string& name) {
   if (name == "translation") return Path::Translation;
@@ -79,8 +79,8 @@ Result<AnimationCurve> readCurve(const GltfDocument& doc, const tinygltf::Animat
   const int components = target.path == Path::Weights ? 1 : curve.width;
   const std::uint64_t more =
       accessorCount(doc, sampler.input) + std::uint64_t(components) * accessorCount(doc, sampler.output);
-  if (numbers + more > mostNumbers)
-    return Error{ErrorCode::TooLarge, doc.where + ": its animations exceed the limit of " + grouped(mostNumbers) +
+  if (numbers + more > maxNumbers)
+    return Error{ErrorCode::TooLarge, doc.where + ": its animations exceed the limit of " + grouped(maxNumbers) +
                                           " numbers. Export fewer animations or fewer key times."};
   numbers += more;
   auto times = readNumbers(doc, sampler.input, 1, "the times of " + name);

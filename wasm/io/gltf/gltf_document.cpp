@@ -25,7 +25,7 @@ std::uint64_t whole(const json& object, const char* name, std::uint64_t otherwis
 
 struct Source {
   const NamedBytes& file;
-  const GivenFiles& files;
+  const SourceFiles& files;
   GlbChunks chunks;
 };
 
@@ -156,7 +156,7 @@ std::string brokenPart(const tinygltf::Value& extras) {
   return extras.Has(brokenMember) ? " cannot be read (" + extras.Get(brokenMember).Get<std::string>() + ")" : "";
 }
 
-Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where) {
+Result<GltfDocument> openGltf(const NamedBytes& file, const SourceFiles& files, const std::string& where) {
   Source source{file, files, {}};
   if (isGlb(file.bytes)) {
     auto chunks = splitGlb(file.bytes, where);

@@ -7,9 +7,9 @@
 
 #include "core/base/status.h"
 #include "core/base/warning.h"
-#include "io/base/given_files.h"
 #include "io/base/named_bytes.h"
 #include "io/base/scene.h"
+#include "io/base/source_files.h"
 #include "io/base/uri.h"
 #include "io/gltf/tinygltf.h"
 
@@ -34,6 +34,6 @@ struct GltfDocument {
 std::string brokenPart(const tinygltf::Value& extras);
 
 /// Opens a .glb (detected by its magic number) or .gltf file. Errors: all reading errors of ErrorCode.
-Result<GltfDocument> openGltf(const NamedBytes& file, const GivenFiles& files, const std::string& where);
+Result<GltfDocument> openGltf(const NamedBytes& file, const SourceFiles& files, const std::string& where);
 
 }  // namespace shapespline

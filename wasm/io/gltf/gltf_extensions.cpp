@@ -134,7 +134,7 @@ void collect(const json& at, std::set<std::string>& names) {
   if (!at.is_object()) return;
   if (const json* extensions = memberOf(at, "extensions"); extensions && extensions->is_object())
     for (const auto& [name, value] : extensions->items())
-      if (names.size() < mostObjects) names.insert(name);
+      if (names.size() < maxObjects) names.insert(name);
   for (const char* member : shaping)
     if (const json* inside = memberOf(at, member)) collect(*inside, names);
 }
@@ -167,7 +167,7 @@ std::vector<Warning> extensionWarnings(const json& doc, const std::string& where
   std::set<std::string> used;
   if (const json* list = memberOf(doc, "extensionsUsed"); list && list->is_array())
     for (const json& name : *list)
-      if (name.is_string() && used.size() < mostObjects) used.insert(name.get<std::string>());
+      if (name.is_string() && used.size() < maxObjects) used.insert(name.get<std::string>());
   for (const std::string& name : used)
     if (const KnownExtension* extension = known(name); extension && extension->use == Ignored) ignored.insert(name);
   if (ignored.empty()) return {};

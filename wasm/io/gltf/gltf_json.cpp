@@ -70,10 +70,10 @@ Status checkExtent(std::string_view text, const std::string& where) {
   const Extent extent = extentOf(text);
   if (extent.depth > deepestJson)
     return malformed(where, "its JSON is nested more than " + std::to_string(deepestJson) + " levels deep");
-  const bool objects = extent.objects > mostJsonObjects;
-  if (!objects && extent.values <= mostJsonValues) return {};
+  const bool objects = extent.objects > maxJsonObjects;
+  if (!objects && extent.values <= maxJsonValues) return {};
   return Error{ErrorCode::TooLarge,
-               where + ": its JSON exceeds the limit of " + grouped(objects ? mostJsonObjects : mostJsonValues) +
+               where + ": its JSON exceeds the limit of " + grouped(objects ? maxJsonObjects : maxJsonValues) +
                    (objects ? " objects" : " values") + ". Join nodes and meshes, or export the shape alone."};
 }
 
@@ -190,9 +190,9 @@ Status checkCollections(const json& doc, const std::string& where) {
       if (!(*collection)[i].is_object())
         return malformed(where, std::string(name) + "[" + std::to_string(i) + "] is not an object");
   }
-  if (const auto materials = doc.find("materials"); materials != doc.end() && materials->size() > mostMaterials)
+  if (const auto materials = doc.find("materials"); materials != doc.end() && materials->size() > maxMaterials)
     return Error{ErrorCode::TooLarge,
-                 where + " exceeds the limit of " + grouped(mostMaterials) + " materials. Join identical materials."};
+                 where + " exceeds the limit of " + grouped(maxMaterials) + " materials. Join identical materials."};
   return {};
 }
 

@@ -11,7 +11,7 @@
 namespace shapespline {
 
 /// Maximum cost of posing the keys of a file of this size. Grows with the file, up to about ten seconds of work.
-constexpr std::uint64_t mostPoseCost(std::uint64_t fileBytes) {
+constexpr std::uint64_t maxPoseCost(std::uint64_t fileBytes) {
   constexpr std::uint64_t base = 200'000'000, perByte = 10'000, most = 4'000'000'000;
   return fileBytes < most / perByte ? std::min(most, base + perByte * fileBytes) : most;
 }

@@ -9,7 +9,7 @@
 #include "io/base/byte_text.h"
 #include "io/base/objects.h"
 #include "io/base/sample_times.h"
-#include "io/gltf/gltf_look.h"
+#include "io/gltf/gltf_materials.h"
 #include "io/gltf/gltf_pose.h"
 #include "io/gltf/gltf_scene.h"
 #include "io/gltf/gltf_targets.h"
@@ -312,7 +312,7 @@ struct KeyReader {
   Result<std::vector<double>> timesOf(const GltfAnimation& animation) {
     const bool lone = std::count_if(animations.begin(), animations.end(), [](const auto& a) { return a.moves; }) == 1;
     const bool ownTimes = options.sampleTimes.empty() && lone && animation.weightsOnly && !options.sampleAsked &&
-                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= mostOwnKeys;
+                          animation.keyTimes.size() >= 2 && animation.keyTimes.size() <= maxOwnKeys;
     const bool everyFrame = options.everyFrame && options.sampleTimes.empty() && animation.keyTimes.size() >= 2;
     // The file requests these keys, not the user.
     if (everyFrame) keysOfFile = animation.keyTimes.size();
@@ -404,7 +404,7 @@ struct KeyReader {
     const std::uint64_t cost = poseCost(shape, state) + (key.animation ? animationCost(*key.animation) : 0);
     work += cost;
     // Later keys will probably cost the same as this one.
-    const std::uint64_t most = mostPoseCost(doc.fileBytes);
+    const std::uint64_t most = maxPoseCost(doc.fileBytes);
     if (work > most || cost > most / count)
       return error(ErrorCode::TooLarge, ": its channels, morph targets and skins take too long to compute for " +
                                             grouped(std::int64_t(count)) + " keys. Use fewer keys.");
@@ -482,7 +482,7 @@ struct KeyReader {
 
 }  // namespace
 
-Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
+Result<PoseFile> readGltfPose(const NamedBytes& file, const SourceFiles& files, const ImportOptions& options,
                               const std::string& where, const FractionReport& onProgress) {
   auto doc = openGltf(file, files, where);
   if (!doc) return doc.error();
@@ -503,7 +503,7 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, c
     applyAnimation(animations[0], animations[0].keyTimes[0], state);
     out.action = animations[0].name;
   }
-  if (poseCost(*shape, state) > mostPoseCost(doc->fileBytes))
+  if (poseCost(*shape, state) > maxPoseCost(doc->fileBytes))
     return Error{ErrorCode::TooLarge,
                  where + ": its morph targets and skins take too long to compute. Export the pose as a plain mesh."};
   auto positions = posedVertices(*doc, *shape, state, &out.normals, partOf(onProgress, 0.6, 1));
@@ -523,12 +523,12 @@ Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, c
   return out;
 }
 
-bool isMotionOnly(const NamedBytes& file, const GivenFiles& files) {
+bool isMotionOnly(const NamedBytes& file, const SourceFiles& files) {
   const auto doc = openGltf(file, files, "");
   return doc && doc->model.meshes.empty() && !doc->model.animations.empty();
 }
 
-Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
+Result<Import> readGltfKeys(const NamedBytes& file, const SourceFiles& files, const ImportOptions& options,
                             const std::string& where, const StageProgress& progress,
                             const std::vector<const NamedBytes*>& motions) {
   if (progress) progress("reading the file", 0);

@@ -7,10 +7,10 @@
 #include "core/base/progress.h"
 #include "core/base/status.h"
 #include "core/base/warning.h"
-#include "io/base/given_files.h"
 #include "io/base/imported.h"
 #include "io/base/named_bytes.h"
 #include "io/base/scene.h"
+#include "io/base/source_files.h"
 
 namespace shapespline {
 
@@ -33,15 +33,15 @@ struct PoseFile {
 };
 
 /// Reads the scene in the pose stored in the file. `where`: display name of the file.
-Result<PoseFile> readGltfPose(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
+Result<PoseFile> readGltfPose(const NamedBytes& file, const SourceFiles& files, const ImportOptions& options,
                               const std::string& where, const FractionReport& onProgress = {});
 
 /// Whether the file has animations but no mesh.
-bool isMotionOnly(const NamedBytes& file, const GivenFiles& files);
+bool isMotionOnly(const NamedBytes& file, const SourceFiles& files);
 
 /// Reads several keys from one file and sets their times. Validates only as far as reading requires. `motions`: files
 /// without a mesh, whose animations move the nodes of this file with the same names.
-Result<Import> readGltfKeys(const NamedBytes& file, const GivenFiles& files, const ImportOptions& options,
+Result<Import> readGltfKeys(const NamedBytes& file, const SourceFiles& files, const ImportOptions& options,
                             const std::string& where, const StageProgress& progress,
                             const std::vector<const NamedBytes*>& motions = {});
 

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t small = 1'000'000, perByte = 16;
 
 // Limits for primitives of all mesh nodes and morph weights of all nodes, far above real scenes.
-constexpr std::int64_t mostParts = 100'000, mostWeights = 10'000'000;
+constexpr std::int64_t maxParts = 100'000, maxWeights = 10'000'000;
 
 // Declared sizes of a mesh.
 struct Amount {
@@ -83,7 +83,7 @@ Status countWeights(const GltfDocument& doc) {
     if (hasMesh) weights += targetCounts[node.mesh];
     weights += static_cast<std::int64_t>(
         std::max(node.weights.size(), hasMesh ? doc.model.meshes[node.mesh].weights.size() : 0));
-    if (weights > mostWeights) return tooLarge(doc, mostWeights, "morph weights");
+    if (weights > maxWeights) return tooLarge(doc, maxWeights, "morph weights");
   }
   return {};
 }
@@ -191,13 +191,13 @@ Status checkAmount(const GltfDocument& doc, const std::vector<int>& meshNodes, K
     const Amount& mesh = amounts[doc.model.nodes[node].mesh];
     // Each count is below 2^31, so no product overflows.
     parts += copies * doc.model.meshes[doc.model.nodes[node].mesh].primitives.size();
-    if (parts > static_cast<std::uint64_t>(mostParts)) return tooLarge(doc, mostParts, "mesh primitives");
+    if (parts > static_cast<std::uint64_t>(maxParts)) return tooLarge(doc, maxParts, "mesh primitives");
     all.vertices += copies * mesh.vertices;
     all.corners += copies * mesh.corners;
     all.weights += copies * mesh.weights;
-    if (all.vertices > mostElements) return tooLarge(doc, mostElements, "vertices");
-    if (all.corners > 3 * static_cast<std::uint64_t>(mostFaces)) return tooLarge(doc, mostFaces, "faces");
-    if (all.weights > 4 * mostElements) return tooLarge(doc, 4 * mostElements, "joint weights");
+    if (all.vertices > maxElements) return tooLarge(doc, maxElements, "vertices");
+    if (all.corners > 3 * static_cast<std::uint64_t>(maxFaces)) return tooLarge(doc, maxFaces, "faces");
+    if (all.weights > 4 * maxElements) return tooLarge(doc, 4 * maxElements, "joint weights");
   }
   if (Status count = checkKeyCount(keys.all, all.vertices, doc.where); !count) return count;
   if (all.inKeys(keys.ofFile) > small + perByte * doc.fileBytes) return tooMuch(doc, all, keys.ofFile);

@@ -44,7 +44,7 @@ std::size_t instanceCount(const GltfDocument& doc, int node);
 Result<std::vector<Eigen::Affine3d>> readInstances(const GltfDocument& doc, int node);
 
 /// Most faces of a scene, several times those of the largest tested mesh.
-constexpr std::int64_t mostFaces = 32'000'000;
+constexpr std::int64_t maxFaces = 32'000'000;
 
 /// Error for a scene that exceeds a limit.
 Error tooLarge(const GltfDocument& doc, std::int64_t most, const char* what);

@@ -76,8 +76,8 @@ struct ShapeReader {
     if (accessorCount(doc, jointAccessor) != n || accessorCount(doc, weightAccessor) != n)
       return malformed(doc.where, part.name + " has a different number of joints or weights than vertices");
     influenceCount += 4 * static_cast<std::int64_t>(n);
-    if (influenceCount > static_cast<std::int64_t>(4 * mostElements))
-      return tooLarge(doc, 4 * mostElements, "joint weights");
+    if (influenceCount > static_cast<std::int64_t>(4 * maxElements))
+      return tooLarge(doc, 4 * maxElements, "joint weights");
     auto j = readWholeNumbers(doc, jointAccessor, 4, "JOINTS" + suffix + " of " + part.name);
     if (!j) return j.error();
     auto w = readNumbers(doc, weightAccessor, 4, "WEIGHTS" + suffix + " of " + part.name);
@@ -139,7 +139,7 @@ struct ShapeReader {
     part.firstVertex = shape.vertexCount;
     const int position = attribute(primitive, "POSITION"), normal = attribute(primitive, "NORMAL");
     if (position < 0) return malformed(doc.where, name + " has no positions");
-    if (shape.vertexCount + accessorCount(doc, position) > mostElements) return tooLarge(doc, mostElements, "vertices");
+    if (shape.vertexCount + accessorCount(doc, position) > maxElements) return tooLarge(doc, maxElements, "vertices");
     // An accessor may omit its bytes to declare zeros. But no real mesh has more vertices than its file has bytes.
     if (accessorCount(doc, position) > doc.bufferBytes && doc.model.accessors[position].bufferView < 0)
       return Error{ErrorCode::TooLarge, doc.where + ": POSITION of " + name + " declares " +
@@ -172,7 +172,7 @@ struct ShapeReader {
                                              const std::string& name, const FractionReport& report) {
     const std::size_t n = part.positions.size();
     cornerCount += static_cast<std::int64_t>(primitive.indices < 0 ? n : accessorCount(doc, primitive.indices));
-    if (cornerCount > 3 * mostFaces) return tooLarge(doc, mostFaces, "faces");
+    if (cornerCount > 3 * maxFaces) return tooLarge(doc, maxFaces, "faces");
     if (primitive.indices < 0) {
       std::vector<std::uint32_t> all(n);
       for (std::size_t i = 0; i < n; ++i) all[i] = static_cast<std::uint32_t>(i);
@@ -251,9 +251,8 @@ struct ShapeReader {
       const auto v = corners(shape.parts[part], primitive, name, share(0.6, 0.8));
       if (!v) return v.error();
       const int start = static_cast<int>(shape.faces.size());
-      if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) >
-          mostFaces)
-        return tooLarge(doc, mostFaces, "faces");
+      if (start + static_cast<std::int64_t>(v->size()) / (primitive.mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1) > maxFaces)
+        return tooLarge(doc, maxFaces, "faces");
       const GltfPart& read = shape.parts[part];
       addFaces(*v, primitive.mode, read.firstVertex, read.skin < 0 ? mirrored : isMirrored(read), share(0.8, 1));
       shape.groups.push_back({start, static_cast<int>(shape.faces.size()) - start, primitive.material});

@@ -25,7 +25,7 @@ std::vector<int> vertexNumbers(const GltfDocument& doc, const GltfShape& shape, 
     const auto numbers = readNumbers(doc, attribute->second, 1, std::string(name) + " of " + part.name);
     if (!numbers) return {};
     for (double number : *numbers) {
-      const bool isVertex = number >= 0 && number < static_cast<double>(mostElements) && number == std::floor(number);
+      const bool isVertex = number >= 0 && number < static_cast<double>(maxElements) && number == std::floor(number);
       if (!isVertex) return {};
       out.push_back(static_cast<int>(number));
     }

@@ -12,7 +12,7 @@
 namespace shapespline {
 
 /// Attribute with the mesh vertex of each vertex of a primitive. A float is exact up to 16.7 million, which exceeds
-/// mostElements.
+/// maxElements.
 inline constexpr std::string_view vertexAttribute = "_SHAPESPLINE_VERTEX";
 
 /// Attribute with the drawn vertex, for files with seams. Without it, the first file vertex of a mesh vertex is drawn

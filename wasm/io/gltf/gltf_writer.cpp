@@ -19,7 +19,7 @@ using nlohmann::json;
 
 // Up to this number of frames, the one-hot weight matrix (frames x targets floats, at most 4 MB) is written in full,
 // which every reader understands. For more frames, a sparse accessor grows linearly instead of quadratically.
-constexpr std::size_t mostDenseFrames = 1024;
+constexpr std::size_t maxDenseFrames = 1024;
 
 json boundsOf(const std::vector<float>& values) {
   float low[3] = {values[0], values[1], values[2]}, high[3] = {values[0], values[1], values[2]};
@@ -86,11 +86,11 @@ struct AnimationWriter {
 
   Status checkWeights() const {
     const std::uint64_t weights = source.seconds.size() * static_cast<std::uint64_t>(frameCount() - 1);
-    if (weights <= mostElements) return {};
+    if (weights <= maxElements) return {};
     return Error{ErrorCode::TooLarge, "An animation with " + grouped(std::int64_t(frameCount() - 1)) +
                                           " morph targets needs " + grouped(std::int64_t(weights)) +
                                           " weights, one per target and frame. With more than " +
-                                          grouped(std::int64_t(mostElements)) +
+                                          grouped(std::int64_t(maxElements)) +
                                           " weights, the file could not be opened again. Export fewer frames."};
   }
 
@@ -187,7 +187,7 @@ struct AnimationWriter {
   // By default, frame 0 shows the base and frame k shows target k - 1 alone.
   int addWeights(std::size_t frames, std::size_t targets) {
     if (!source.weights.empty()) return glb.addArray(source.weights, "SCALAR", 1, glFloat);
-    if (frames <= mostDenseFrames) {
+    if (frames <= maxDenseFrames) {
       std::vector<float> weights(frames * targets, 0);
       for (std::size_t k = 1; k < frames; ++k) weights[k * targets + k - 1] = 1;
       return glb.addArray(weights, "SCALAR", 1, glFloat);
@@ -261,7 +261,7 @@ GlbSize animatedGlbSize(const std::vector<Triangle>& faces, int vertices, int fr
   const auto primitives = drawnPrimitives(seams ? scene.seams.faces : faces, drawn, scene);
   const std::uint64_t f = frames, dense = f * f * 4, sparse = f * 8;
   GlbSize size;
-  size.bytes = 2000 + f * 20 + (f <= mostDenseFrames ? dense : sparse);
+  size.bytes = 2000 + f * 20 + (f <= maxDenseFrames ? dense : sparse);
   for (const DrawnPrimitive& primitive : primitives) {
     const std::uint64_t n = primitive.vertices.size();
     size.vertices += n;

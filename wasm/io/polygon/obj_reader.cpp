@@ -24,10 +24,10 @@ namespace shapespline {
 namespace {
 
 // A longer list of warnings would not help.
-constexpr std::size_t mostWarnings = 100;
+constexpr std::size_t maxWarnings = 100;
 // Limits for material libraries of one file, and for words tried when searching a name with spaces.
-constexpr std::size_t mostLibraries = 256;
-constexpr int mostWords = 8;
+constexpr std::size_t maxLibraries = 256;
+constexpr int maxWords = 8;
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
@@ -35,12 +35,12 @@ std::string_view trimmed(std::string_view text) {
 }
 
 void warnOfMaterials(const std::string& why, PolygonMesh& mesh) {
-  if (mesh.warnings.size() < mostWarnings)
+  if (mesh.warnings.size() < maxWarnings)
     mesh.warnings.push_back({"missing-materials", "Materials are ignored: " + why, 1});
 }
 
 // Paths of another computer, such as C:\\textures\\a.png, are reduced to the name of the file.
-std::string_view nearName(std::string_view name, const std::string& from, const GivenFiles& files,
+std::string_view nearName(std::string_view name, const std::string& from, const SourceFiles& files,
                           const std::string& where) {
   const auto found = resolveUri(name, from, files, where);
   return !found && found.error().code == ErrorCode::ExternalResource ? baseName(name) : name;
@@ -49,7 +49,7 @@ std::string_view nearName(std::string_view name, const std::string& from, const 
 // The materials of an MTL file: colour, opacity and colour texture.
 struct MtlReader {
   std::string from;  // path of the MTL file; image names are relative to it
-  const GivenFiles& files;
+  const SourceFiles& files;
   const std::string& where;
   PolygonMesh& mesh;
   std::map<std::string, int, std::less<>>& materialOf;
@@ -87,7 +87,7 @@ struct MtlReader {
     }
     const std::string type = found ? imageType(found->bytes) : "";
     if (type.empty()) {
-      if (mesh.warnings.size() < mostWarnings)
+      if (mesh.warnings.size() < maxWarnings)
         mesh.warnings.push_back(
             {"missing-texture",
              "A texture is ignored: " +
@@ -143,7 +143,7 @@ struct MtlReader {
         continue;
       }
       finishMaterial();
-      if (mesh.scene.materials.size() >= mostMaterials) continue;
+      if (mesh.scene.materials.size() >= maxMaterials) continue;
       const std::string name = asUtf8(trimmed(line));
       materialOf[name] = static_cast<int>(mesh.scene.materials.size());
       current = &mesh.scene.materials.emplace_back();
@@ -174,7 +174,7 @@ struct NamedRun {
 
 struct ObjReader {
   const NamedBytes& file;
-  const GivenFiles& files;
+  const SourceFiles& files;
   const std::vector<std::string>& wanted;  // names of the selected objects; empty for all
   const std::string& where;
   const FractionReport& onProgress;
@@ -201,9 +201,9 @@ struct ObjReader {
     while (count < 6 && takeNumber(text, value[count])) ++count;
     if (hasDecimalComma(text)) return decimalComma(where + ", line " + grouped(line));
     if (count < 3) return malformed("a vertex needs three numbers");
-    if (mesh.positions.size() >= mostElements)
+    if (mesh.positions.size() >= maxElements)
       return Error{ErrorCode::TooLarge,
-                   where + " has more than " + grouped(mostElements) + " vertices. Simplify the mesh first."};
+                   where + " has more than " + grouped(maxElements) + " vertices. Simplify the mesh first."};
     mesh.positions.emplace_back(value);
     if (count == 6) {
       colors.resize(mesh.positions.size() - 1, noColor);
@@ -367,7 +367,7 @@ struct ObjReader {
     std::string_view name = text, rest = text;
     for (std::string_view word = takeWord(rest); !word.empty(); word = takeWord(rest)) {
       const std::string_view read = name.substr(0, name.size() - rest.size());
-      const bool ends = rest.empty() || extensionOf(word) == "mtl" || (++words <= mostWords && isFile(read));
+      const bool ends = rest.empty() || extensionOf(word) == "mtl" || (++words <= maxWords && isFile(read));
       if (!ends) continue;
       readLibrary(read);
       name = rest = trimmed(rest);
@@ -376,7 +376,7 @@ struct ObjReader {
   }
 
   void readLibrary(std::string_view name) {
-    if (libraries.size() >= mostLibraries || !libraries.emplace(name).second) return;
+    if (libraries.size() >= maxLibraries || !libraries.emplace(name).second) return;
     const auto found = find(name);
     const std::string folder = file.name.substr(0, file.name.size() - baseName(file.name).size());
     if (found && !librariesAt.insert(found->bytes.data()).second) return;
@@ -395,7 +395,7 @@ struct ObjReader {
 
   // Reads the colours that ZBrush writes: 8 hexadecimal digits per vertex for mask, red, green and blue.
   void readPaint(std::string_view text) {
-    for (text = trimmed(text); text.size() >= 8 && paint.size() < mostElements; text.remove_prefix(8)) {
+    for (text = trimmed(text); text.size() >= 8 && paint.size() < maxElements; text.remove_prefix(8)) {
       std::uint32_t number = 0;
       const std::string_view digits = text.substr(0, 8);
       const auto [end, error] = std::from_chars(digits.begin(), digits.end(), number, 16);
@@ -554,7 +554,7 @@ void warnOfLeftOut(PolygonMesh& mesh, int leftOut, const std::string& where) {
         {"skipped-primitives", where + ": faces with fewer than three corners are ignored.", leftOut});
 }
 
-Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
+Result<PolygonMesh> readObj(const NamedBytes& file, const SourceFiles& files, const std::vector<std::string>& objects,
                             const std::string& where, const FractionReport& onProgress) {
   return ObjReader{file, files, objects, where, onProgress, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}}.read();
 }

@@ -66,7 +66,7 @@ struct OffReader {
     double count[2];
     if (!takeNumber(line, count[0]) || !takeNumber(line, count[1]) || !(count[0] >= 0) || !(count[1] >= 0))
       return malformed("the numbers of vertices and faces are missing");
-    if (count[0] > mostElements || count[1] > 2 * mostElements)
+    if (count[0] > maxElements || count[1] > 2 * maxElements)
       return Error{ErrorCode::TooLarge, where + " declares " + shortNumber(count[0]) + " vertices and " +
                                             shortNumber(count[1]) +
                                             " faces, more than is supported. Simplify the mesh first."};

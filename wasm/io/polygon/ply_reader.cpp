@@ -142,7 +142,7 @@ struct PlyReader {
     std::uint64_t least = 0;
     for (const PlyProperty& p : element.properties) least += values.least(p.isList ? p.countType : p.type);
     const auto count = static_cast<std::uint64_t>(element.count);
-    if (count > mostElements * 4)
+    if (count > maxElements * 4)
       return Error{ErrorCode::TooLarge, where + " declares " + grouped(element.count) + " " + inQuotes(element.name) +
                                             " elements, more than is supported. Simplify the mesh first."};
     if (count * least > values.left())
@@ -195,7 +195,7 @@ struct PlyReader {
     if (!has[X] || !has[Y] || !has[Z])
       return Error{ErrorCode::MalformedFile,
                    where + ": its vertices need the properties x, y and z. Export the file again."};
-    if (element.count > static_cast<std::int64_t>(mostElements))
+    if (element.count > static_cast<std::int64_t>(maxElements))
       return Error{ErrorCode::TooLarge, where + " has " + grouped(element.count) +
                                             " vertices, more than is supported. Simplify the mesh first."};
     mesh.positions.reserve(element.count);

@@ -10,7 +10,7 @@ namespace shapespline {
 namespace {
 
 // Limit for the search of ears, which takes quadratic time. Larger polygons are cut into fans.
-constexpr int mostEarCorners = 512;
+constexpr int maxEarCorners = 512;
 // From this size on, convex polygons are cut into fans.
 constexpr int manyCorners = 33;
 
@@ -172,7 +172,7 @@ PolygonCuts cutPolygons(const PolygonMesh& mesh) {
     const int size = mesh.ends[i] - mesh.firstCorner(i);
     if (size == 3) cuts.push_back({0, 1, 2});
     else if (size == 4) cutQuad(Polygon(mesh, i), cuts);
-    else if (size <= mostEarCorners && !(size >= manyCorners && isConvex(Polygon(mesh, i))))
+    else if (size <= maxEarCorners && !(size >= manyCorners && isConvex(Polygon(mesh, i))))
       cutEars(Polygon(mesh, i), cuts);
     else cutFan(size, cuts);
   }
@@ -186,7 +186,7 @@ PolygonCuts cutPolygonsLike(const PolygonMesh& mesh, const std::vector<Triangle>
   for (int p = 0; p < mesh.polygonCount(); ++p) {
     const auto first = mesh.corners.begin() + mesh.firstCorner(p), last = mesh.corners.begin() + mesh.ends[p];
     const int size = static_cast<int>(last - first);
-    if (size > mostEarCorners) {
+    if (size > maxEarCorners) {
       cutFan(size, cuts);
       continue;
     }

@@ -5,8 +5,8 @@
 
 #include "core/base/progress.h"
 #include "core/base/status.h"
-#include "io/base/given_files.h"
 #include "io/base/named_bytes.h"
+#include "io/base/source_files.h"
 #include "io/polygon/polygon_mesh.h"
 
 namespace shapespline {
@@ -15,7 +15,7 @@ namespace shapespline {
 /// curves are ignored. Coordinates belong to corners; a vertex gets the mean of its normals. `objects` selects faces by
 /// object (o, or g in files without o). Errors, with the line number: MalformedFile, IndexOutOfRange, NoTriangles,
 /// TooLarge. UnknownObject for a name in `objects` that the file does not have.
-Result<PolygonMesh> readObj(const NamedBytes& file, const GivenFiles& files, const std::vector<std::string>& objects,
+Result<PolygonMesh> readObj(const NamedBytes& file, const SourceFiles& files, const std::vector<std::string>& objects,
                             const std::string& where, const FractionReport& onProgress = {});
 
 /// Stanford PLY 1.0: ascii, binary little and big endian; elements vertex, face and tristrips.

@@ -9,7 +9,7 @@ export interface Action {
   shown?: string;
   /** The line in the help. */
   does?: string;
-  /** It edits the document, so its key first closes the sheet that covers the panels. */
+  /** It edits the document, so its key first closes the import dialog, which covers the panels. */
   edits?: boolean;
   button?: Button;
   run(context: Context, ...args: never[]): unknown;

@@ -1,7 +1,7 @@
 /** Commands to compare motions and to present. */
 import { OWN_METHOD } from '../../engine/api/methods.ts';
 import type { Method } from '../../engine/api/types.ts';
-import { departs } from '../../model/spline-options.ts';
+import { departsFromPaper } from '../../model/spline-options.ts';
 import { PRESENTED } from '../../model/state.ts';
 import type { Plot, Presented } from '../../model/state.ts';
 import type { Actions } from './action.ts';
@@ -64,7 +64,7 @@ function toggleSplit(context: Context): void {
   if (split !== null) return changeView(context, { split: null, compare: [...beside] });
   const { method } = doc.motion;
   context.viewState.change({ beside: compare });
-  const departing = departs(doc);
+  const departing = departsFromPaper(doc);
   const usual = departing || method === 'linear' ? OWN_METHOD : 'linear';
   const other = compare.find((one) => one !== method || departing) ?? usual;
   changeView(context, { split: 0.5, compare: [other] });
@@ -73,7 +73,7 @@ function toggleSplit(context: Context): void {
 /** Compares with the next method behind a divider. After the last method, stops comparing. */
 function nextComparison(context: Context): void {
   const { doc, view } = context.session.store.get();
-  const others = COMPARED.filter((method) => method !== doc.motion.method || departs(doc));
+  const others = COMPARED.filter((method) => method !== doc.motion.method || departsFromPaper(doc));
   const next = others[others.indexOf(view.compare.at(-1) as Method) + 1];
   if (next) changeView(context, { compare: [next], split: view.split ?? 0.5 });
   else changeView(context, { compare: [], split: null });

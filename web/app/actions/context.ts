@@ -8,18 +8,18 @@ import type { AnalysisCache } from '../analysis/analysis-cache.ts';
 import type { MotionSpeedFollower } from '../analysis/motion-speed.ts';
 import type { Display } from '../drawing/display.ts';
 import type { ExportController } from '../export/export-controller.ts';
-import type { RememberedFiles } from '../kept/remembered-files.ts';
+import type { RememberedFiles } from '../storage/remembered-files.ts';
 import type { Session } from '../session/session.ts';
 import type { Animation } from '../sources/animation.ts';
 import type { Opener } from '../sources/opener.ts';
 import type { PageLink } from '../sources/page-link.ts';
-import type { TakeFiles } from '../sources/take-files.ts';
+import type { FileIntake } from '../sources/file-intake.ts';
 import type { Undo } from '../sources/undo.ts';
 import type { View } from '../../model/state.ts';
 import type { Feedback } from '../view/feedback.ts';
 import type { ViewStateHolder } from '../view/view-state.ts';
 
-export interface Context extends Ways {
+export interface Context extends IoControllers {
   session: Session;
   display: Display;
   viewState: ViewStateHolder;
@@ -27,7 +27,7 @@ export interface Context extends Ways {
   theme: ThemeSwitch;
   analysis: AnalysisCache;
   motionSpeed: MotionSpeedFollower;
-  takeFiles: TakeFiles;
+  fileIntake: FileIntake;
   /** Offers follow-up actions for the files just opened; null withdraws the offer. */
   offerImport(offer: Offer | null): void;
   guide: Lazy<GuideControl>;
@@ -36,7 +36,7 @@ export interface Context extends Ways {
 }
 
 /** Opening and saving: files, samples, work of an earlier visit, the page's URL, exports. */
-export interface Ways {
+export interface IoControllers {
   files: Opener;
   remembered: RememberedFiles;
   undo: Undo;
@@ -66,7 +66,7 @@ export interface Overlays {
   pickFiles(): void;
   pickKeys(): void;
   pickTangent(end: End): void;
-  pickTruth(): void;
+  pickReference(): void;
   openExport(): void;
   openEmbed(snippet: string): void;
   openHelp(): void;

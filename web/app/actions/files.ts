@@ -1,5 +1,5 @@
 /** Commands that open files or compare with an animation. */
-import type { KeyPlace } from '../../model/edits.ts';
+import type { InsertPosition } from '../../model/edits.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
@@ -15,10 +15,10 @@ export const FILES = {
     run: ({ overlays }) => overlays.pickFiles(),
   },
   /** `place`: drop position among the keys; null if the files were dropped elsewhere. */
-  take: { run: ({ takeFiles }, picked: Picked, place?: KeyPlace | null) => takeFiles.take(picked, place) },
+  take: { run: ({ fileIntake }, picked: Picked, place?: InsertPosition | null) => fileIntake.take(picked, place) },
   sample: { run: ({ files }, id: string) => files.sample(id) },
   own: { run: ({ openOwn }, project: string) => openOwn(project) },
-  /** Closes the sheet for choosing keys of an animation. */
+  /** Closes the dialog for choosing keys of an animation. */
   asked: { run: asked },
   /** Samples the keys again at these times of the animation, in seconds. */
   takeKeys: {
@@ -27,15 +27,15 @@ export const FILES = {
   /** Takes the fewest keys that stay within an error in percent of the diagonal. */
   takeFewest: { run: takeFewest },
   original: { run: ({ showOriginal }, shown: boolean) => showOriginal(shown) },
-  pickTruth: { run: ({ overlays }) => overlays.pickTruth() },
+  pickReference: { run: ({ overlays }) => overlays.pickReference() },
   /** Compares with the animation of other files; null stops comparing. */
   compareWith: {
     async run({ animation, showOriginal }, picked: Picked | null) {
       if (!picked) {
-        animation.now?.dropTruth();
+        animation.now?.dropReference();
         return showOriginal(false);
       }
-      if (await (await animation.get()).takeTruth(picked)) await showOriginal(true);
+      if (await (await animation.get()).takeReference(picked)) await showOriginal(true);
     },
   },
 } satisfies Actions;

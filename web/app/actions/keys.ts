@@ -1,5 +1,5 @@
 /** Commands on the keys. */
-import { MOST_TIME, PER_KEY } from '../../engine/api/option-table.ts';
+import { MAX_TIME, PER_KEY } from '../../engine/api/option-table.ts';
 import type { KeySpacing } from '../../engine/api/types.ts';
 import {
   addKey,
@@ -53,8 +53,7 @@ export const KEYS = {
       if (moved && doc.keys[key]?.time === now && !play.playing) store.set({ time });
       const other = doc.keys.findIndex((one, at) => at !== key && one.time === time);
       if (other >= 0) feedback.say(`Key ${other + 1} is already at this time.`);
-      else if (Math.abs(time) > MOST_TIME)
-        feedback.say(`Key times can be at most ${MOST_TIME.toLocaleString('en')} s.`);
+      else if (Math.abs(time) > MAX_TIME) feedback.say(`Key times can be at most ${MAX_TIME.toLocaleString('en')} s.`);
     },
   },
   shaping: {

@@ -135,13 +135,13 @@ function closeError({ viewState }: Context): void {
 
 /** Each press of Escape closes or cancels one thing: a dialog, a running task, or a mode. */
 function stepBack(context: Context): void {
-  const { viewState, session, guide, takeFiles } = context;
+  const { viewState, session, guide, fileIntake } = context;
   const { placing, working, blend, errorMessage, opening } = viewState.get();
   if (placing) viewState.change({ placing: false });
   else if (working) cancel(context);
   else if (blend) showBlend(context, null);
   else if (errorMessage) closeError(context);
-  else if (takeFiles.waits) takeFiles.forget();
+  else if (fileIntake.waits) fileIntake.forget();
   else if (opening) asked(context);
   else if (session.store.get().view.present) present(context, null);
   else void guide.now?.close();

@@ -38,15 +38,15 @@ export function analysisInput(running: readonly RunningMotion[], doc: Doc, range
 }
 
 const BUDGET_MS = 1200;
-const LEAST_TIMES = 13;
-const MOST_TIMES = 97;
+const MIN_TIMES = 13;
+const MAX_TIMES = 97;
 
 export async function analyse(
   { sequences, keyTimes, range, ms }: AnalysisInput,
   { signal, onProgress }: Required<CallOptions>,
 ): Promise<Analysis> {
   const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
-  const times = plottedTimes(range, keyTimes, Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES)));
+  const times = plottedTimes(range, keyTimes, Math.round(Math.min(Math.max(affordable, MIN_TIMES), MAX_TIMES)));
   const done = sequences.map(() => 0);
   const motions = await Promise.all(
     sequences.map((running, index) => {

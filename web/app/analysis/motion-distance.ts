@@ -10,7 +10,7 @@ export interface Compared {
   /** Returns the animation's shape at a time; null if no animation is shown. */
   original: ((t: number) => { positions: Float32Array }) | null;
   /** Name of the animation if it comes from other files than the keys, else null. */
-  truth?: string | null;
+  referenceName?: string | null;
   diagonal: number;
 }
 
@@ -23,8 +23,8 @@ export interface MotionDistances {
 }
 
 const BUDGET_MS = 1200;
-const LEAST_TIMES = 13;
-const MOST_TIMES = 97;
+const MIN_TIMES = 13;
+const MAX_TIMES = 97;
 /** Number of shapes held in memory at a time. */
 const AT_ONCE = 8;
 
@@ -39,7 +39,7 @@ export async function motionDistances(
   const others = sequences.slice(original ? 0 : 1);
   if (others.length === 0) return null;
   const affordable = BUDGET_MS / Math.max(ms * sequences.length, 0.1);
-  const count = Math.round(Math.min(Math.max(affordable, LEAST_TIMES), MOST_TIMES));
+  const count = Math.round(Math.min(Math.max(affordable, MIN_TIMES), MAX_TIMES));
   const [start, end] = [keyTimes[0]!, keyTimes.at(-1)!];
   const times = plottedTimes(range, keyTimes, count).filter((t) => !original || (t >= start && t <= end));
   const errors = others.map(() => new MotionError(diagonal));

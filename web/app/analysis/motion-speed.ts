@@ -5,9 +5,9 @@
 import type { Motion } from '../../engine/api/api.ts';
 import type { SpeedCurve } from '../../model/speed-curve.ts';
 import { speedCurveOf, speedTimes } from '../../model/speed-curve.ts';
-import { USUAL_MOST } from '../../model/speeds.ts';
+import { USUAL_MAX_SPEEDS } from '../../model/speeds.ts';
 import type { Speeds } from '../../model/speeds.ts';
-import { mostSpeeds } from './shape-plane.ts';
+import { maxSpeeds } from './shape-plane.ts';
 import type { ShapePlaneInput } from './shape-plane.ts';
 
 export interface MotionSpeedParts {
@@ -15,8 +15,8 @@ export interface MotionSpeedParts {
   sequence(): Motion | undefined;
   /** Shapes that give the end tangents. */
   towards(): ShapePlaneInput['towards'];
-  /** `most`: the largest offered end speeds. */
-  onSpeed(curve: SpeedCurve | null, most: Speeds): void;
+  /** `max`: the largest offered end speeds. */
+  onSpeed(curve: SpeedCurve | null, max: Speeds): void;
 }
 
 export interface MotionSpeedFollower {
@@ -29,14 +29,14 @@ export function createMotionSpeed({ sequence, towards, onSpeed }: MotionSpeedPar
 
   const work = async (): Promise<void> => {
     const asked = sequence();
-    if (!asked) return onSpeed(null, USUAL_MOST);
+    if (!asked) return onSpeed(null, USUAL_MAX_SPEEDS);
     const { range } = asked;
     const times = speedTimes(range, asked.keyTimes);
     const motion = await asked.motionSpeed(times);
     const ends = towards();
     const shaped = ends?.start === 'shape' || ends?.end === 'shape';
-    const most = shaped ? mostSpeeds(await asked.shapePlane([]), ends) : USUAL_MOST;
-    if (sequence() === asked && !stale) onSpeed(speedCurveOf(times, motion, range), most);
+    const max = shaped ? maxSpeeds(await asked.shapePlane([]), ends) : USUAL_MAX_SPEEDS;
+    if (sequence() === asked && !stale) onSpeed(speedCurveOf(times, motion, range), max);
   };
 
   return {

@@ -43,13 +43,13 @@ export async function minimisedCurve(sequence: Motion, samples: number): Promise
 /** Encoding the shape of one point takes this many times as long as a frame. */
 const ENCODE_FRAMES = 25;
 const BUDGET_MS = 1200;
-const MOST_POINTS = 49;
-const LEAST_POINTS = 13;
+const MAX_POINTS = 49;
+const MIN_POINTS = 13;
 
 /** The motions outside the plane, over the plotted range. Their shapes are encoded one by one. */
 export async function outsideCurves({ sequences, range, ms }: AnalysisInput): Promise<OutsideCurve[]> {
   const affordable = BUDGET_MS / Math.max(ms * ENCODE_FRAMES, 0.1);
-  const count = Math.round(Math.min(Math.max(affordable, LEAST_POINTS), MOST_POINTS));
+  const count = Math.round(Math.min(Math.max(affordable, MIN_POINTS), MAX_POINTS));
   const times = Array.from({ length: count }, (_, i) => range[0] + ((range[1] - range[0]) * i) / (count - 1));
   const curves: OutsideCurve[] = [];
   for (const one of sequences) {

@@ -22,7 +22,7 @@ export interface PlaneMixture {
 }
 
 /** If the keys' variance along one axis is below this share of the other, it is rounding error. */
-const LEAST_VARIANCE = 1e-10;
+const MIN_VARIANCE = 1e-10;
 /** Exponent of the inverse distance. It is high, so near the curve only the nearest shapes have an effect. */
 const POWER = 6;
 
@@ -34,7 +34,7 @@ export function mixtureAt(shapes: PlaneShapes, point: Point): PlaneMixture {
   const weights = [...near];
   const variance = [0, 1].map((axis) => sumOf(count, (key) => shapes.keys[2 * key + axis]! ** 2));
   for (const axis of [0, 1] as const) {
-    if (!(variance[axis]! > LEAST_VARIANCE * Math.max(...variance))) continue;
+    if (!(variance[axis]! > MIN_VARIANCE * Math.max(...variance))) continue;
     const step = (point[axis] - reached[axis]) / variance[axis]!;
     for (let key = 0; key < count; key += 1) weights[key]! += step * shapes.keys[2 * key + axis]!;
   }

@@ -1,7 +1,7 @@
 /** The motions in the principal plane of the keys, with the tangents at the ends. */
 import { METHOD, isFitted } from '../../engine/api/methods.ts';
 import type { ShapePlane } from '../../engine/api/types.ts';
-import { USUAL_MOST, mostSpeed } from '../../model/speeds.ts';
+import { USUAL_MAX_SPEEDS, maxSpeed } from '../../model/speeds.ts';
 import type { End, Speeds } from '../../model/speeds.ts';
 import type { Towards } from '../../model/state.ts';
 import { plottedTimes } from '../../model/time-scale.ts';
@@ -69,12 +69,11 @@ export function knownShapes({ keys, curve, weights }: ShapePlane): PlaneShapes {
 }
 
 /** The largest offered end speeds, from the distances between tangent poses and their keys in the plane. */
-export function mostSpeeds(plane: ShapePlane, towards: ShapePlaneInput['towards']): Speeds {
-  if (!towards) return USUAL_MOST;
+export function maxSpeeds(plane: ShapePlane, towards: ShapePlaneInput['towards']): Speeds {
+  if (!towards) return USUAL_MAX_SPEEDS;
   const { start, end } = endsOf(plane, towards);
-  const most = ({ key, neighbour, shape }: Ended): number =>
-    mostSpeed(apart(key, neighbour), shape && apart(key, shape));
-  return { start: most(start), end: most(end) };
+  const max = ({ key, neighbour, shape }: Ended): number => maxSpeed(apart(key, neighbour), shape && apart(key, shape));
+  return { start: max(start), end: max(end) };
 }
 
 /** The handle of a cubic with slope m over a time h ends at its second Bézier point: h m / 3 from the first. */

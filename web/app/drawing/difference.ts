@@ -11,7 +11,7 @@ export interface Difference {
 
 const SHADES = 256;
 /** Values below this, in percent, are rounding errors. */
-const LEAST_TOP = 0.001;
+const MIN_TOP = 0.001;
 
 /** Positions are 3 x vertices; fills `percent` if given. */
 export function differenceOf(
@@ -37,7 +37,7 @@ export function differenceOf(
 
 /** Rounds up to a round number: the upper end of the colour bar. */
 export function roundTop(largest: number): number {
-  if (!(largest > LEAST_TOP)) return LEAST_TOP;
+  if (!(largest > MIN_TOP)) return MIN_TOP;
   const power = 10 ** Math.floor(Math.log10(largest));
   const factor = [1, 2, 5].find((digit) => digit * power >= largest * (1 - 1e-9)) ?? 10;
   return Number((factor * power).toPrecision(3));

@@ -21,7 +21,7 @@ import type { Playback } from '../playback/playback.ts';
 import type { Session } from '../session/session.ts';
 
 /** The surface for drawing the scene. */
-export interface Stage {
+export interface DisplayArea {
   viewport: HTMLElement;
   /** Shows names on the image of a film strip. */
   showFilmLabels(labels: readonly FilmLabel[]): void;
@@ -30,7 +30,7 @@ export interface Stage {
 
 export interface DisplayParts {
   session: Session;
-  stage: Stage;
+  area: DisplayArea;
   viewState: ViewStateHolder;
   feedback: Feedback;
   seek(t: number): void;
@@ -47,17 +47,17 @@ export interface Display {
   pinPaths: PinPaths;
 }
 
-export function createDisplay({ session, stage, viewState, feedback, seek, onResize }: DisplayParts): Display {
+export function createDisplay({ session, area, viewState, feedback, seek, onResize }: DisplayParts): Display {
   const { store, workspace, restart, sequence, range } = session;
   const { say, onError } = feedback;
   const events = {
     onCamera: (camera: CameraPose) => store.set({ view: { ...store.get().view, camera } }),
     onResize,
-    covered: stage.covered,
+    covered: area.covered,
     onContextLost: () => say('The browser lost access to the graphics card. The image will be restored.'),
     onContextRestored: () => void playback.frameLoop.request(store.get().time),
   };
-  const scene = new SceneController(stage.viewport, events, stage.showFilmLabels);
+  const scene = new SceneController(area.viewport, events, area.showFilmLabels);
   void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
   const yields = (): boolean => viewState.get().working !== null;
   const show = async (frames: FrameSet): Promise<void> => {

@@ -23,7 +23,7 @@ const NUMBERS = 12;
 /** Faces whose area over the square of their longest edge is below this have no frame. */
 const DEGENERATE = 1e-12;
 /** Lower bound on principal stretches. */
-const LEAST_STRETCH = 1e-3;
+const MIN_STRETCH = 1e-3;
 
 export class FaceHeat {
   private readonly frames: Float64Array;
@@ -110,7 +110,7 @@ export class FaceHeat {
       // Singular values: their sum and difference from |J|^2 and det.
       const sum = Math.sqrt(jj + kk + 2 * determinant);
       const difference = Math.sqrt(Math.max(jj + kk - 2 * determinant, 0));
-      const least = Math.max((sum - difference) / 2, LEAST_STRETCH);
+      const least = Math.max((sum - difference) / 2, MIN_STRETCH);
       return 100 * (Math.max((sum + difference) / 2, 1 / least) - 1);
     }
     if (!(determinant > 0)) return 0;

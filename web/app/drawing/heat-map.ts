@@ -13,9 +13,9 @@ import { FaceHeat } from './face-heat.ts';
 import { robustLargest } from './heat-range.ts';
 import { besideOf, differing, wantsHeat } from './heat-wanted.ts';
 
-const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: string; most: number }>> = {
-  rotation: { title: 'Rotation', unit: 'of faces, relative to the reference', symbol: '°', most: 180 },
-  stretch: { title: 'Stretch', unit: 'of faces, relative to the reference', symbol: '%', most: Infinity },
+const WORDS: Readonly<Record<FaceAmount, { title: string; unit: string; symbol: string; max: number }>> = {
+  rotation: { title: 'Rotation', unit: 'of faces, relative to the reference', symbol: '°', max: 180 },
+  stretch: { title: 'Stretch', unit: 'of faces, relative to the reference', symbol: '%', max: Infinity },
 };
 
 interface Heat {
@@ -127,9 +127,9 @@ export class HeatMap {
   private showFaces(frames: readonly Frame[], { sequence }: RunningMotion, kind: FaceAmount, heat: FaceHeat): void {
     this.difference = null;
     const amounts = frames.map(({ positions }, view) => heat.amounts(positions, kind, this.values[view]));
-    const { title, unit, symbol, most } = WORDS[kind];
-    const ends = amounts.map(({ values, largest }) => Math.min(robustLargest(values, largest), most));
-    const top = Math.min(this.topOf(kind, sequence, Math.max(...ends)), most);
+    const { title, unit, symbol, max } = WORDS[kind];
+    const ends = amounts.map(({ values, largest }) => Math.min(robustLargest(values, largest), max));
+    const top = Math.min(this.topOf(kind, sequence, Math.max(...ends)), max);
     amounts.forEach(({ values }, view) => {
       this.values[view] = values;
       this.draw(view, values, top);

@@ -3,11 +3,11 @@
 /** Share of vertices within half of the scale. */
 const SHARE = 0.99;
 /** Minimum upper end, in percent, of a scale that clips values. Smaller differences are invisible. */
-const LEAST = 1;
+const MIN_TOP = 1;
 
 /** The upper end for non-negative amounts in percent; `largest` is their maximum. */
 export function robustLargest(values: Float32Array, largest: number): number {
-  return Math.min(largest, Math.max(2 * quantile(values, SHARE), LEAST));
+  return Math.min(largest, Math.max(2 * quantile(values, SHARE), MIN_TOP));
 }
 
 /** The upper bits of a positive float sort numbers by magnitude, in steps of 3 %. */

@@ -14,7 +14,7 @@ const ONION_STEP = 0.09;
 const SOLID = 0.35;
 const FAINT = 0.12;
 const FILM_STEPS = 6;
-const MOST_FILM_STEPS = 16;
+const MAX_FILM_STEPS = 16;
 const FILM_BEYOND = 1;
 
 export interface OnionSkinInput {
@@ -51,7 +51,7 @@ export function onionExtras({ t }: Pick<OnionSkinInput, 't'>, frames: readonly F
  */
 export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: number | null): number[] {
   const beyond = periodic ? 0 : FILM_BEYOND;
-  const usual = clamp(keys.length - 1, FILM_STEPS, MOST_FILM_STEPS);
+  const usual = clamp(keys.length - 1, FILM_STEPS, MAX_FILM_STEPS);
   const steps = count === null ? usual : count - 1 - 2 * beyond;
   const times = Array.from(
     { length: steps + 1 + 2 * beyond },
@@ -62,7 +62,7 @@ export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: numb
 }
 
 /** Label positions for a strip's shapes, xyz interleaved: centred below each shape. */
-export function filmPlaces(strip: readonly Extra[]): Float32Array {
+export function filmLabelPositions(strip: readonly Extra[]): Float32Array {
   const lowest = Math.min(...strip.map(({ positions }) => rangeOf(positions, 1)[0]));
   return Float32Array.from(
     strip.flatMap(({ positions, offset }) => {

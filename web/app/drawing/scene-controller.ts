@@ -14,7 +14,7 @@ import { Viewer } from '../../viewer/viewer.ts';
 import type { ViewerEvents } from '../../viewer/viewer.ts';
 import type { FilmName } from './onion-skin.ts';
 import type { FilmLabel } from '../../ui/film-labels.ts';
-import { filmNames, filmPlaces, filmStrips, filmTimes, onionExtras, onionTimes } from './onion-skin.ts';
+import { filmNames, filmLabelPositions, filmStrips, filmTimes, onionExtras, onionTimes } from './onion-skin.ts';
 import type { OnionSkinInput } from './onion-skin.ts';
 import type { Difference } from './difference.ts';
 import { extentOf } from '../../viewer/bounds.ts';
@@ -372,7 +372,7 @@ export class SceneController {
     const shapes = strips
       .flat()
       .map(({ positions, offset }) => positions.map((value, index) => (index % 3 === 0 ? value + offset : value)));
-    const places = strips.map(filmPlaces);
+    const places = strips.map(filmLabelPositions);
     this.film = {
       ...made,
       views: strips.length,

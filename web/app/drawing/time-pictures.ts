@@ -24,7 +24,7 @@ export interface TimePictures {
 
 /** Times closer than this share of the range share one image. */
 const STEP = 1 / 200;
-const MOST_KEPT = 64;
+const MAX_KEPT = 64;
 /** Longest drawing time of an image, in milliseconds, while the motion plays. */
 const PLAYING_MS = 8;
 /** Longest drawing time of an image, in milliseconds, before the pointer has rested for REST_MS. */
@@ -58,7 +58,7 @@ export function createTimePictures(parts: TimePicturesParts): TimePictures {
       const start = performance.now();
       const url = parts.draw(frame);
       cost = performance.now() - start;
-      if (kept.size >= MOST_KEPT) kept.delete(kept.keys().next().value!);
+      if (kept.size >= MAX_KEPT) kept.delete(kept.keys().next().value!);
       kept.set(placeOf(t), url);
       if (wanted !== null && placeOf(wanted) === placeOf(t)) show(url);
     }

@@ -22,7 +22,7 @@ import { measuresCsv, patchesCsv } from './csv.ts';
 import { download } from '../../ui/download.ts';
 import { takePicture } from './picture.ts';
 import { withReadme } from './readme.ts';
-import { withSheet } from './sheet.ts';
+import { withCaptureCanvas } from './capture-canvas.ts';
 import { pageColour } from './title.ts';
 import { videoFormats, writeVideo } from './write-video.ts';
 import { zip } from './zip.ts';
@@ -213,16 +213,16 @@ async function video(request: ExportRequest, job: ExportJob): Promise<void> {
     isTurn(request) ? job.turn(share) : job.show(start + share * (end - start));
   const ground = pageColour('--stage-centre');
   const began = performance.now();
-  const blob = await withSheet(job.scene, sizeOf(request, format), true, (sheet) =>
+  const blob = await withCaptureCanvas(job.scene, sizeOf(request, format), true, (capture) =>
     writeVideo({
       format,
       frames,
       framesPerSecond: rate,
-      canvas: sheet.canvas,
+      canvas: capture.canvas,
       async draw(frame) {
         await show(shareOf(frame, frames, bounces));
-        sheet.take(ground);
-        sheet.takeTitles();
+        capture.take(ground);
+        capture.takeTitles();
       },
       onFrame: (done) =>
         job.onProgress({

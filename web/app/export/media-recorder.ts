@@ -15,7 +15,7 @@ import {
   WebMOutputFormat,
 } from 'mediabunny';
 import type { EncodedPacket } from 'mediabunny';
-import { meantTimes } from './meant-times.ts';
+import { frameTimestamps } from './frame-timestamps.ts';
 import { recordedType } from './recorded-types.ts';
 import { bitrateOf } from './video.ts';
 import type { VideoOptions } from './video.ts';
@@ -75,7 +75,7 @@ async function retimed(recorded: Blob, { format, frames, framesPerSecond }: Vide
   output.addVideoTrack(source);
   await output.start();
   const decoderConfig = (await track.getDecoderConfig()) ?? undefined;
-  const times = meantTimes(
+  const times = frameTimestamps(
     packets.map(({ timestamp }) => timestamp),
     frames,
     framesPerSecond,

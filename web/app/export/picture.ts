@@ -2,8 +2,8 @@
 import type { PictureSize } from '../../model/export-request.ts';
 import type { SceneController } from '../drawing/scene-controller.ts';
 import { commonBox, drawnBox, joined } from './crop.ts';
-import type { Sheet } from './sheet.ts';
-import { withSheet } from './sheet.ts';
+import type { CaptureCanvas } from './capture-canvas.ts';
+import { withCaptureCanvas } from './capture-canvas.ts';
 import { pageColour } from './title.ts';
 
 export interface PictureOptions {
@@ -18,26 +18,26 @@ export interface PictureOptions {
 export async function takePicture(scene: SceneController, { size, transparent, crop }: PictureOptions): Promise<Blob> {
   const ground = transparent ? null : pageColour('--stage-centre');
   try {
-    return await withSheet(scene, size, false, async (sheet) => {
+    return await withCaptureCanvas(scene, size, false, async (capture) => {
       // Cropping treats every pixel that is not transparent as drawn.
       scene.setFloorless(transparent || crop);
-      const box = crop ? boxOf(sheet) : null;
+      const box = crop ? boxOf(capture) : null;
       scene.setFloorless(transparent);
-      sheet.take(ground);
-      if (box) return await pngOf(joined(sheet.canvas, sheet.rects(), box, scene.labels, ground));
-      sheet.takeTitles();
-      return await pngOf(sheet.canvas);
+      capture.take(ground);
+      if (box) return await pngOf(joined(capture.canvas, capture.rects(), box, scene.labels, ground));
+      capture.takeTitles();
+      return await pngOf(capture.canvas);
     });
   } finally {
     scene.setFloorless(false);
   }
 }
 
-function boxOf(sheet: Sheet): ReturnType<typeof commonBox> {
-  sheet.take(null);
-  const rects = sheet.rects();
+function boxOf(capture: CaptureCanvas): ReturnType<typeof commonBox> {
+  capture.take(null);
+  const rects = capture.rects();
   const boxes = rects.map(({ x, y, width, height }) =>
-    drawnBox(sheet.context.getImageData(Math.round(x), Math.round(y), Math.round(width), Math.round(height))),
+    drawnBox(capture.context.getImageData(Math.round(x), Math.round(y), Math.round(width), Math.round(height))),
   );
   return commonBox(boxes, { width: Math.round(rects[0]!.width), height: Math.round(rects[0]!.height) });
 }

@@ -9,12 +9,12 @@ export interface Title {
 
 /** Text height as a share of a view's smaller side. */
 const LETTERS = 1 / 30;
-const LEAST_LETTERS = 12;
+const MIN_LETTERS = 12;
 const LINE = 1.35;
 
 /** Text height over a view. */
 function lettersOf({ width, height }: Pick<Rect, 'width' | 'height'>): number {
-  return Math.max(Math.round(LETTERS * Math.min(width, height)), LEAST_LETTERS);
+  return Math.max(Math.round(LETTERS * Math.min(width, height)), MIN_LETTERS);
 }
 
 /** Height of a title with its measures and padding. */

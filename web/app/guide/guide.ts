@@ -14,7 +14,7 @@ import type { Facts, GuidePage } from './guide-page.ts';
 import { TOUR } from './tour.ts';
 import { createReturnPoint } from './return-point.ts';
 import type { ReturnPointParts } from './return-point.ts';
-import { filled, pressed, untilTouched, whenThere } from './when-there.ts';
+import { filled, pressed, untilTouched, waitForElement } from './wait-for-element.ts';
 
 export interface GuideParts extends ReturnPointParts {
   /** Places the guide's panel, beside wider panels if requested; null removes it. */
@@ -141,8 +141,8 @@ function prepare(
     undone.push(() => frame(null));
   }
   if (panel) undone.push(untilTouched(panel, () => showPanel(panel, part)));
-  if (press) undone.push(whenThere(press, (control) => undone.push(pressed(control))));
-  if (fill) undone.push(whenThere(fill.field, (field) => undone.push(filled(field, fill.value))));
+  if (press) undone.push(waitForElement(press, (control) => undone.push(pressed(control))));
+  if (fill) undone.push(waitForElement(fill.field, (field) => undone.push(filled(field, fill.value))));
   return () => undone.forEach((one) => one());
 }
 

@@ -1,7 +1,7 @@
 /** The content that was open before the guide, and its restoration. */
 import { DEFAULT_VIEW } from '../../model/state.ts';
-import { currentSnapshot } from '../kept/snapshot.ts';
-import type { Snapshot } from '../kept/snapshot.ts';
+import { currentSnapshot } from '../storage/snapshot.ts';
+import type { Snapshot } from '../storage/snapshot.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import type { Opener } from '../sources/opener.ts';

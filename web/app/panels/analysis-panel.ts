@@ -22,7 +22,7 @@ export interface AnalysisPanelProps {
   blend: Parameters<ShapePlaneFigure['setBlend']>[0];
   keys: Parameters<ShapePlaneFigure['setBlend']>[1];
   speeds: Parameters<ShapePlaneFigure['setSpeeds']>[0];
-  mostSpeeds: Parameters<ShapePlaneFigure['setSpeeds']>[1];
+  maxSpeeds: Parameters<ShapePlaneFigure['setSpeeds']>[1];
 }
 
 export interface AnalysisPanel {
@@ -95,11 +95,11 @@ export function createAnalysisPanel(
 
   return {
     element,
-    update({ time, colouring, blend, keys, speeds, mostSpeeds }) {
+    update({ time, colouring, blend, keys, speeds, maxSpeeds }) {
       setCursor(time);
       updateFaces({ colouring });
       plane.setBlend(blend, keys);
-      plane.setSpeeds(speeds, mostSpeeds);
+      plane.setSpeeds(speeds, maxSpeeds);
     },
     clicked: (pick) => void faces.need().then((figure) => figure?.clicked(pick)),
   };

@@ -36,7 +36,7 @@ const WORK = 'Measuring the motion';
 const SHELL_WORK = 'Measuring edge lengths and angles';
 /** Added to the names of a table's columns. */
 const MEASURE = 'by edge lengths and angles';
-const LEAST_BENDING = 1;
+const MIN_BENDING = 1;
 
 export function createBendingFigure(input: () => AnalysisInput | null, events: BendingEvents): BendingFigure {
   const figure = createValuedChart('bending', 'Bending energy', BENDING, events);
@@ -133,7 +133,7 @@ function bendingData(
   unit: (floor: number | null) => string,
 ): ChartData {
   const floor = logFloor(energies);
-  return { ...motionCurves(analysis, energies), include: 0, leastSpan: LEAST_BENDING, floor, unit: unit(floor) };
+  return { ...motionCurves(analysis, energies), include: 0, minSpan: MIN_BENDING, floor, unit: unit(floor) };
 }
 
 /**

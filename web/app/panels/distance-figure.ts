@@ -11,8 +11,8 @@ import type { ChartData, ChartEvents } from './chart-figure.ts';
 export interface DistanceFigureParts extends ChartEvents {
   input(): AnalysisInput | null;
   compared(): Compared | null;
-  onPickTruth(): void;
-  onLeaveTruth(): void;
+  onPickReference(): void;
+  onLeaveReference(): void;
 }
 
 export interface DistanceFigureProps {
@@ -40,13 +40,13 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     label: 'Compare with an animation of the same mesh, from a file or dropped here',
     testId: 'truth-pick',
     text: 'Choose an animation file…',
-    onClick: parts.onPickTruth,
+    onClick: parts.onPickReference,
   });
   const leave = button({
     label: 'Stop comparing',
     testId: 'truth-leave',
     text: 'Remove',
-    onClick: parts.onLeaveTruth,
+    onClick: parts.onLeaveReference,
   });
   const tools = h('div', { class: 'plane-tools' }, pick, leave);
   const element = h('div', { class: 'group', hidden: true, 'data-takes': 'truth' }, alone, figure.element, tools);
@@ -61,9 +61,9 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
     if (mine !== asked) return;
     setHidden(alone, found !== null);
     setHidden(figure.element, found === null);
-    setHidden(leave, !compared?.truth);
+    setHidden(leave, !compared?.referenceName);
     if (!input || !found) return;
-    figure.draw(chartOf(found, input, compared?.truth ?? null));
+    figure.draw(chartOf(found, input, compared?.referenceName ?? null));
     figure.setCursor(cursor);
     legend.replaceChildren(...found.motions.map(kgEntry));
   };
@@ -86,9 +86,9 @@ export function createDistanceFigure(parts: DistanceFigureParts): DistanceFigure
 function chartOf(
   { times, from, motions }: MotionDistances,
   { keyTimes, range }: AnalysisInput,
-  truth: string | null,
+  referenceName: string | null,
 ): ChartData {
-  const against = from === null ? (truth ? `“${truth}”` : 'the animation') : METHOD_WORDS[from].label;
+  const against = from === null ? (referenceName ? `“${referenceName}”` : 'the animation') : METHOD_WORDS[from].label;
   const series = motions.map(({ mean, ...name }) => ({
     label: motionWords(name).label,
     values: mean,

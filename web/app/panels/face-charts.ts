@@ -40,8 +40,8 @@ export function createFaceCharts(events: ChartEvents): PartCharts {
       if (curve.patch < 0) return 'has no area';
       const common = { times, keyTimes: input.keyTimes, range: input.range, dots: true };
       const log = main.sequence.options.stretch === 'log';
-      rotation.draw({ ...common, series: seriesOf(curve, 0, AXES, 180 / Math.PI), include: 0, leastSpan: 2 });
-      stretch.draw({ ...common, series: seriesOf(curve, 3, STRETCHES, 1), include: log ? 0 : 1, leastSpan: 0.04 });
+      rotation.draw({ ...common, series: seriesOf(curve, 0, AXES, 180 / Math.PI), include: 0, minSpan: 2 });
+      stretch.draw({ ...common, series: seriesOf(curve, 3, STRETCHES, 1), include: log ? 0 : 1, minSpan: 0.04 });
       return `of patch ${curve.patch + 1}`;
     },
     setCursor(t) {

@@ -18,8 +18,8 @@ export interface FacesFigureEvents extends ChartEvents {
   /** Reference of distances; null if nothing is open. */
   compared(): Compared | null;
   /** Lets the user choose or remove an animation to compare with. */
-  onPickTruth(): void;
-  onLeaveTruth(): void;
+  onPickReference(): void;
+  onLeaveReference(): void;
   /** Marks the region that moves with a face, or these patches; null clears the marker. */
   onMark(what: { face: number } | { patches: number[] } | null): void;
 }

@@ -72,14 +72,14 @@ export function createFigureFiles(
     element: h('div', { class: 'group' }, files, frame),
     fill() {
       const all = known();
-      const table = { names: [...all.names], rows: [], brief: briefly(all) };
+      const table = { names: [...all.names], rows: [], brief: thinnedRows(all) };
       frame.replaceChildren(valuesTable(title, table, word));
     },
   };
 }
 
 /** Evenly chosen rows, and those that are always shown. */
-export function briefly({ rows, keep = [] }: FigureNumbers): number[][] {
+export function thinnedRows({ rows, keep = [] }: FigureNumbers): number[][] {
   const step = Math.max(Math.ceil(rows.length / READ), 1);
   return rows.filter((row, index) => index % step === 0 || keep.includes(row[0]!)).map((row) => [...row]);
 }

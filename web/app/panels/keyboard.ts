@@ -29,7 +29,7 @@ export function listenToKeys({ viewState }: Context, commands: Commands): void {
     const id = byKey.get(nameOf(event, ctrl));
     if (!id) return;
     event.preventDefault();
-    // The sheet covers the panels.
+    // The import dialog covers the panels.
     if ((ACTIONS[id] as Action).edits && viewState.get().opening) commands.asked();
     void (commands[id] as () => unknown)();
   });

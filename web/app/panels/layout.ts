@@ -6,7 +6,7 @@ import { createFilmLabels } from '../../ui/film-labels.ts';
 import type { FilmLabel } from '../../ui/film-labels.ts';
 import { icon } from '../../ui/icons.ts';
 import type { IconName } from '../../ui/icons.ts';
-import { oneStop } from '../../ui/one-stop.ts';
+import { rovingTabindex } from '../../ui/roving-tabindex.ts';
 
 export interface LayoutParts {
   header: HTMLElement;
@@ -19,7 +19,7 @@ export interface LayoutParts {
   transport: HTMLElement;
   warnings: HTMLElement;
   status: HTMLElement;
-  /** The import sheet, beside the viewport. */
+  /** The import dialog, beside the viewport. */
   opening: HTMLElement;
   /** Dialogs, drop zone, file inputs, toast. */
   floating: HTMLElement[];
@@ -135,7 +135,7 @@ export function createLayout(): Layout {
           ...parts.overlays,
           h('div', { class: 'overlay-top' }, ...parts.messages),
         ),
-        createSide(parts.panels),
+        createSidebar(parts.panels),
         parts.opening,
         h('div', { class: 'deck' }, parts.keyStrip, parts.transport, parts.warnings),
         parts.status,
@@ -196,7 +196,7 @@ function coveredHeights(viewport: HTMLElement, ...of: Parameters<Covered>): Retu
 }
 
 /** The panels in one column, with navigation that stays visible. */
-function createSide(panels: HTMLElement[]): HTMLElement {
+function createSidebar(panels: HTMLElement[]): HTMLElement {
   const names = panels.map((panel) => panel.querySelector('h2')?.textContent ?? '');
   const buttons = names.map((name, index) =>
     h(
@@ -212,7 +212,7 @@ function createSide(panels: HTMLElement[]): HTMLElement {
     ),
   );
   const row = h('nav', { class: 'side-nav', 'aria-label': 'Sections of the options' }, ...buttons);
-  oneStop(row);
+  rovingTabindex(row);
   const side = h('aside', { class: 'side', 'aria-label': 'Options', tabindex: 0 }, row, ...panels);
   const mark = (): void => {
     const atEnd = side.scrollTop > 0 && side.scrollTop + side.clientHeight >= side.scrollHeight - 1;

@@ -25,7 +25,7 @@ export interface MeasureCharts {
 const RELATIVE = '% of the first key';
 const SLIDING = 'displacement of resting vertices, % of the model’s size';
 /** Smaller values are rounding errors. */
-const LEAST_SLIDING = 0.01;
+const MIN_SLIDING = 0.01;
 
 export function createMeasureCharts(input: () => AnalysisInput | null, events: BendingEvents): MeasureCharts {
   const volume = createValuedChart('volume', 'Volume', RELATIVE, events);
@@ -42,7 +42,7 @@ export function createMeasureCharts(input: () => AnalysisInput | null, events: B
       const { motions } = analysis;
       const dataOf = (pick: (motion: MotionMeasures) => number[]): ChartData =>
         motionCurves(analysis, motions.map(pick));
-      const relative = { include: 100, leastSpan: 4 };
+      const relative = { include: 100, minSpan: 4 };
       volume.draw({ ...dataOf((motion) => relativeToFirstKey(motion.volume, analysis)), ...relative });
       area.draw({ ...dataOf((motion) => relativeToFirstKey(motion.area, analysis)), ...relative });
       bending.draw(analysis);
@@ -51,7 +51,7 @@ export function createMeasureCharts(input: () => AnalysisInput | null, events: B
         sliding.element,
         motions.every((motion) => motion.sliding.every(Number.isNaN)),
       );
-      sliding.draw({ ...dataOf((motion) => motion.sliding), include: 0, leastSpan: LEAST_SLIDING });
+      sliding.draw({ ...dataOf((motion) => motion.sliding), include: 0, minSpan: MIN_SLIDING });
       setHidden(legend, motions.length < 2);
       legend.replaceChildren(...motions.map((motion) => legendEntry(lineStyle(motion), motionWords(motion).label)));
     },

@@ -1,5 +1,5 @@
 /** Overlays of the page: dialogs, loaded on first use, and file choosers. */
-import type { KeyPlace } from '../../model/edits.ts';
+import type { InsertPosition } from '../../model/edits.ts';
 import { playRange } from '../../model/frames.ts';
 import type { End } from '../../model/speeds.ts';
 import type { EmbedDialog } from '../../ui/embed-dialog.ts';
@@ -9,15 +9,17 @@ import type { DropPoint } from '../../ui/file-drop.ts';
 import type { Help } from '../../ui/help.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LinkDialog } from '../../ui/link-dialog.ts';
-import type { MotionPanel } from './side.ts';
+import type { MotionPanel } from './sidebar.ts';
 import type { Overlays } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
 import type { Connect, Shown } from './connect.ts';
-import type { Deck } from './deck.ts';
+import type { TimelineArea } from './timeline-area.ts';
 import { SHORTCUTS } from './keyboard.ts';
 
 type Dialogs = Pick<Overlays, 'openExport' | 'openEmbed' | 'openHelp' | 'openLink'> & { elements: HTMLElement[] };
-type Choosers = Pick<Overlays, 'pickFiles' | 'pickKeys' | 'pickTangent' | 'pickTruth'> & { elements: HTMLElement[] };
+type Choosers = Pick<Overlays, 'pickFiles' | 'pickKeys' | 'pickTangent' | 'pickReference'> & {
+  elements: HTMLElement[];
+};
 
 export function createDialogs(commands: Commands, connect: Connect, onError: (error: unknown) => void): Dialogs {
   const exporting = lazyComponent<ExportDialogProps, ExportDialog>(async () => {
@@ -68,10 +70,10 @@ function exportProps({ state: { play, source }, viewState, range }: Shown): Expo
 
 export function createChoosers(
   commands: Commands,
-  { keyStrip, timeline }: Pick<Deck, 'keyStrip' | 'timeline'>,
+  { keyStrip, timeline }: Pick<TimelineArea, 'keyStrip' | 'timeline'>,
   motionPanel: MotionPanel,
 ): Choosers {
-  const keyPlace = (at: DropPoint): KeyPlace | null => {
+  const insertPosition = (at: DropPoint): InsertPosition | null => {
     const [before, time] = [keyStrip.placeAt(at), timeline.timeAt(at)];
     if (before !== null) return { before };
     return time === null ? null : { time };
@@ -80,36 +82,36 @@ export function createChoosers(
   const keys = createPicker('key-file-input', (picked) => void commands.addKeys(picked));
   let tangentOf: End = 'start';
   const tangent = createPicker('tangent-file-input', (picked) => void commands.takeTangent(picked, tangentOf));
-  const truth = createPicker('truth-file-input', (picked) => void commands.compareWith(picked));
+  const reference = createPicker('truth-file-input', (picked) => void commands.compareWith(picked));
   const dropZone = createDropZone(
     (dropped, at) => {
-      if (takesTruth(at)) return void commands.compareWith(dropped);
+      if (takesReference(at)) return void commands.compareWith(dropped);
       const end = motionPanel.endAt(at);
-      void (end ? commands.takeTangent(dropped, end) : commands.take(dropped, keyPlace(at)));
+      void (end ? commands.takeTangent(dropped, end) : commands.take(dropped, insertPosition(at)));
     },
     (at) => {
-      const place = at && keyPlace(at);
+      const place = at && insertPosition(at);
       const before = place && 'before' in place ? place.before : null;
       keyStrip.showPlace(before);
       if (before !== null) return `A pose of this mesh becomes key ${before + 1}`;
       if (place && 'time' in place) return `A pose of this mesh becomes a key at ${Number(place.time.toFixed(3))} s`;
-      if (at && takesTruth(at)) return 'An animation of this mesh is compared with the motion';
+      if (at && takesReference(at)) return 'An animation of this mesh is compared with the motion';
       const end = at && motionPanel.endAt(at);
       return end && `A pose of this mesh sets the ${end} tangent`;
     },
   );
   return {
-    elements: [dropZone.element, files.element, keys.element, tangent.element, truth.element],
+    elements: [dropZone.element, files.element, keys.element, tangent.element, reference.element],
     pickFiles: files.open,
     pickKeys: keys.open,
     pickTangent(end) {
       tangentOf = end;
       tangent.open();
     },
-    pickTruth: truth.open,
+    pickReference: reference.open,
   };
 }
 
-function takesTruth({ x, y }: DropPoint): boolean {
+function takesReference({ x, y }: DropPoint): boolean {
   return document.elementsFromPoint(x, y).some((one) => one.closest('[data-takes="truth"]'));
 }

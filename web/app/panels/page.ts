@@ -11,17 +11,17 @@ import { listenToClicks, listenToHover } from '../view/window-events.ts';
 import { actionButtons } from './action-buttons.ts';
 import { createConnections, shownOf } from './connect.ts';
 import type { Connect } from './connect.ts';
-import { createDeck } from './deck.ts';
+import { createTimelineArea } from './timeline-area.ts';
 import { listenToArrows, listenToKeys } from './keyboard.ts';
 import type { Layout } from './layout.ts';
 import { createChoosers, createDialogs } from './overlays.ts';
 import { createPinsInView } from './pins-in-view.ts';
 import type { PinsInView } from './pins-in-view.ts';
 import { createPresentation } from './presentation.ts';
-import { createSheet } from './sheet.ts';
-import { createSide } from './side.ts';
-import type { Side } from './side.ts';
-import { createStage } from './stage.ts';
+import { connectImportDialog } from './import-dialog.ts';
+import { createSidebar } from './sidebar.ts';
+import type { Sidebar } from './sidebar.ts';
+import { createViewportOverlays } from './viewport-overlays.ts';
 
 export interface PageParts {
   root: HTMLElement;
@@ -45,9 +45,9 @@ export function createPage(parts: PageParts): Page {
   const { feedback } = context;
   const { connect, update } = createConnections();
   const onFilled = (): void => layout.present(store.get().view.present);
-  const stage = createStage(context, commands, connect);
-  const deck = createDeck(commands, connect, feedback.onError);
-  const side = createSide({ context, commands, connect, onFilled });
+  const viewportOverlays = createViewportOverlays(context, commands, connect);
+  const timelineArea = createTimelineArea(commands, connect, feedback.onError);
+  const sidebar = createSidebar({ context, commands, connect, onFilled });
   const pins = createPinsInView(context, commands);
   const presentation = createPresentation({
     presented: () => store.get().view.present,
@@ -57,27 +57,27 @@ export function createPage(parts: PageParts): Page {
   });
   connect(presentation, ({ state }) => state.view.present);
   const dialogs = createDialogs(commands, connect, feedback.onError);
-  const choosers = createChoosers(commands, deck, side.motionPanel);
+  const choosers = createChoosers(commands, timelineArea, sidebar.motionPanel);
   layout.mount(root, {
     header: header(context, commands, connect),
-    transport: deck.transport,
-    keyStrip: deck.keyStrip.element,
-    warnings: deck.warnings,
-    status: deck.status,
-    opening: createSheet({
-      sampling: side.sampling,
+    transport: timelineArea.transport,
+    keyStrip: timelineArea.keyStrip.element,
+    warnings: timelineArea.warnings,
+    status: timelineArea.status,
+    opening: connectImportDialog({
+      sampling: sidebar.sampling,
       commands,
       connect,
       onError: feedback.onError,
-      over: [stage.progress, offers.imported.element],
+      over: [viewportOverlays.progress, offers.imported.element],
       next: layout.viewport,
     }),
-    overlays: [stage.labels, pins.element, ...stage.overlays, presentation.element],
-    messages: [stage.error, stage.progress, stage.fitHint, ...offers.elements],
-    panels: side.panels,
+    overlays: [viewportOverlays.labels, pins.element, ...viewportOverlays.overlays, presentation.element],
+    messages: [viewportOverlays.error, viewportOverlays.progress, viewportOverlays.fitHint, ...offers.elements],
+    panels: sidebar.panels,
     floating: [...dialogs.elements, ...choosers.elements, feedback.toast],
   });
-  listen(parts, side, pins);
+  listen(parts, sidebar, pins);
   const redraw = onNextFrame(() => {
     if (waits(context)) return;
     const shown = shownOf(context);
@@ -89,8 +89,8 @@ export function createPage(parts: PageParts): Page {
     update(shown);
     parts.onDrawn();
   });
-  const { toggleLook } = stage;
-  const { toggleClock } = deck;
+  const { toggleLook } = viewportOverlays;
+  const { toggleClock } = timelineArea;
   return { redraw, overlays: { ...dialogs, ...choosers, toggleLook, toggleClock } };
 }
 
@@ -131,7 +131,7 @@ function header(context: Context, commands: Commands, connect: Connect): HTMLEle
   }));
 }
 
-function listen({ layout: { viewport }, context, commands }: PageParts, { analysis }: Side, pins: PinsInView): void {
+function listen({ layout: { viewport }, context, commands }: PageParts, { analysis }: Sidebar, pins: PinsInView): void {
   const { viewState, display, feedback } = context;
   document.addEventListener(REFUSED, ({ detail }: CustomEventInit<string>) => feedback.say(detail ?? ''));
   listenToKeys(context, commands);

@@ -44,7 +44,7 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
       const lengths = ({ stretch: values }: PatchCurves): Series[] => [{ label: 'stretch', values, style: 'axis-0' }];
       const log = main.sequence.options.stretch === 'log';
       const series = overNatural(lengths(own), natural && lengths(natural));
-      stretch.draw({ ...common, series, include: log ? 0 : 1, leastSpan: 0.04 });
+      stretch.draw({ ...common, series, include: log ? 0 : 1, minSpan: 0.04 });
       turns.draw({ own, natural, common });
       const { length } = own.neighbours;
       return length === 1 ? '1 neighbour' : `${length} neighbours`;
@@ -82,13 +82,13 @@ function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) =>
     );
     const drawnLast = [...own.neighbours.filter((one) => one !== of), of];
     const series = drawnLast.map((one) => angle(one, one === of ? 'axis-0' : OTHERS));
-    angles.draw({ ...common, series, include: 0, leastSpan: 2 });
+    angles.draw({ ...common, series, include: 0, minSpan: 2 });
     const turning = natural?.neighbours.find(({ patch }) => patch === of.patch);
     rotation.draw({
       ...common,
       title: `Rotation relative to ${nameOf(of.patch)}`,
       series: overNatural(vector(of), turning ? vector(turning) : null),
-      ...{ include: 0, leastSpan: 2 },
+      ...{ include: 0, minSpan: 2 },
     });
   };
   return {

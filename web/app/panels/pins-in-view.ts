@@ -3,8 +3,8 @@ import { METHOD } from '../../engine/api/methods.ts';
 import { changedPin, withPin, withoutPin } from '../../model/pins.ts';
 import { createPinHandles } from '../../ui/pin-handles.ts';
 import type { Place } from '../../ui/pin-handles.ts';
-import type { PinDrag } from '../drawing/pin-places.ts';
-import { pinPlaces, startPinDrag, vertexAt } from '../drawing/pin-places.ts';
+import type { PinDrag } from '../drawing/pin-positions.ts';
+import { pinPositions, startPinDrag, vertexAt } from '../drawing/pin-positions.ts';
 import type { Context } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
 
@@ -41,7 +41,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
   const update = (): void => {
     const isShown = shown();
     handles.update(
-      isShown ? pinPlaces(scene.viewer, pins()) : [],
+      isShown ? pinPositions(scene.viewer, pins()) : [],
       isShown ? display.pinPaths.now.map((path) => scene.viewer.project(path)) : [],
     );
   };
@@ -61,7 +61,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
     },
     mark(at) {
       const vertex = picked(at);
-      handles.mark(vertex === null ? null : (pinPlaces(scene.viewer, [{ vertex }])[0] ?? null));
+      handles.mark(vertex === null ? null : (pinPositions(scene.viewer, [{ vertex }])[0] ?? null));
     },
   };
 }

@@ -23,7 +23,7 @@ export interface PlaneCurvesEvents {
 }
 
 const SAMPLES = 24;
-const MOST_SAMPLES = 400;
+const MAX_SAMPLES = 400;
 /** Motions outside the plane are slow to encode, so they wait for a pause between edits. */
 const REST_MS = 300;
 const percent = (share: number): string => `${Number((100 * share).toPrecision(2))}\u00a0%`;
@@ -88,7 +88,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     label: 'Samples of the minimisation',
     testId: 'minimised-samples',
     min: 4,
-    max: MOST_SAMPLES,
+    max: MAX_SAMPLES,
     step: 1,
     onInput(value) {
       samples = Math.round(value);
@@ -110,7 +110,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     const spline = input?.sequences.find((one) => one.method === OWN_METHOD && inPlane(one));
     setHidden(element, !spline);
     const mine = ++asked;
-    const found = wanted && spline ? await leastBending(spline.sequence, samples, onError) : NONE;
+    const found = wanted && spline ? await minimiseBending(spline.sequence, samples, onError) : NONE;
     if (mine === asked) onFound(found);
   };
   return {
@@ -122,7 +122,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
   };
 }
 
-async function leastBending(spline: Motion, samples: number, onError: (error: unknown) => void): Promise<Further> {
+async function minimiseBending(spline: Motion, samples: number, onError: (error: unknown) => void): Promise<Further> {
   try {
     const found = await minimisedCurve(spline, samples);
     const overlay = { label: 'Least bending', points: found.points, style: 'minimised', marked: true };

@@ -1,5 +1,5 @@
 /** The figure of the shape plane. Its curve takes a millisecond to compute, so it follows every change immediately. */
-import { DEFAULT_SPEED, USUAL_MOST, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
+import { DEFAULT_SPEED, USUAL_MAX_SPEEDS, formatSpeed, offeredSpeed } from '../../model/speeds.ts';
 import type { End, Speeds } from '../../model/speeds.ts';
 import type { EndHandleEvents } from '../../plots/end-handle.ts';
 import { createShapePlane } from '../../plots/shape-plane.ts';
@@ -30,7 +30,7 @@ export interface ShapePlaneFigure {
   /** The shape shown instead of the motion's, or null. */
   setBlend(blend: Blend | null, keys: readonly { name: string }[]): void;
   /** Hermite: lengths of the end handles (null for none), and the largest offered lengths. */
-  setSpeeds(speeds: Speeds | null, most: Speeds): void;
+  setSpeeds(speeds: Speeds | null, max: Speeds): void;
 }
 
 const POINT_LABEL = 'The current shape. Arrow keys move it off the curve, Escape returns it to the curve.';
@@ -88,9 +88,9 @@ export function createShapePlaneFigure(
       offCurve.setCurvePoint(plot.curvePoint(t));
     },
     setBlend: offCurve.update,
-    setSpeeds(speeds, most) {
-      ends.setSpeeds(speeds, most);
-      plot.setSpeeds(speeds, most);
+    setSpeeds(speeds, max) {
+      ends.setSpeeds(speeds, max);
+      plot.setSpeeds(speeds, max);
     },
   };
 }
@@ -98,7 +98,7 @@ export function createShapePlaneFigure(
 /** Maps the end handles to end speeds. */
 function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']) {
   let speeds: Speeds | null = null;
-  let most = USUAL_MOST;
+  let max = USUAL_MAX_SPEEDS;
   // Several events can arrive before the page is redrawn. Each builds on the previous request.
   const set = (end: End, speed: number): void => {
     if (speeds) speeds = { ...speeds, [end]: speed };
@@ -107,17 +107,17 @@ function createEndEvents(onSpeed: ShapePlaneFigureEvents['onSpeed']) {
   const events: EndHandleEvents = {
     label: (end) => SPEED_WORDS[end].label,
     words: formatSpeed,
-    onSpeed: (end, speed) => set(end, offeredSpeed(speed, most[end])),
+    onSpeed: (end, speed) => set(end, offeredSpeed(speed, max[end])),
     onReset: (end) => set(end, DEFAULT_SPEED),
     onKey(end, event) {
-      const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, most[end]);
+      const speed = typedSpeed(event, speeds?.[end] ?? DEFAULT_SPEED, end, max[end]);
       if (speed === null) return;
       event.preventDefault();
       set(end, speed);
     },
   };
-  const setSpeeds: ShapePlaneFigure['setSpeeds'] = (next, nextMost) => {
-    [speeds, most] = [next, nextMost];
+  const setSpeeds: ShapePlaneFigure['setSpeeds'] = (next, nextMax) => {
+    [speeds, max] = [next, nextMax];
   };
   return { events, setSpeeds };
 }

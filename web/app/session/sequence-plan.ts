@@ -7,7 +7,7 @@ import type { EncodingOptions, Method, MotionOptions, Pin } from '../../engine/a
 import type { Variant } from '../../playback/frame-set.ts';
 import { listsOf } from '../../model/shaping.ts';
 import type { Doc, View } from '../../model/state.ts';
-import { departs, keptLengths } from '../../model/spline-options.ts';
+import { departsFromPaper, keptLengths } from '../../model/spline-options.ts';
 import { DEFAULT_VIEW, referenceKey } from '../../model/state.ts';
 
 type Encoding = Omit<EncodingOptions, ShapeName | 'precision'>;
@@ -38,7 +38,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
   const hermite = motion.boundary === 'hermite';
   const ghost = plain.ghostFaces;
   const leading = (one: Method): number => ghostFor(plain, one).ghostFaces;
-  const sizes = ghost > 0 && METHOD[method].space === 'lri' ? besides(ghost, shown) : [];
+  const sizes = ghost > 0 && METHOD[method].space === 'lri' ? otherSizes(ghost, shown) : [];
   return {
     order: keys.map((key) => key.pose),
     // Files name every target.
@@ -65,7 +65,7 @@ export function sequencePlan(doc: Doc, shown: ShownMotions = DEFAULT_VIEW): Sequ
 /** Compares a motion that departs from the published method with the published one. */
 function besideMethod(doc: Doc, other: Method): Omit<Variant, 'ghost'>[] {
   if (other !== doc.motion.method) return [{ method: other }];
-  return departs(doc) ? [{ method: other, plain: true }] : [];
+  return departsFromPaper(doc) ? [{ method: other, plain: true }] : [];
 }
 
 /** A pin whose key was removed follows its own spline. */
@@ -76,7 +76,7 @@ function pinsFor({ keys, motion }: Doc): Pin[] {
   });
 }
 
-function besides(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): number[] {
+function otherSizes(ghost: number, { ghostDifference, ghostSizes }: ShownMotions): number[] {
   if (ghostSizes) return [...SIZES.map((times) => times * ghost), 0];
   return ghostDifference ? [0] : [];
 }

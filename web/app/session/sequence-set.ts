@@ -33,7 +33,7 @@ type Shapes = ReadonlyMap<string, EncodedShape>;
 export class SequenceSet {
   private shapes: Shapes = new Map();
   private motions: readonly Running[] = [];
-  private served: SequencePlan | null = null;
+  private applied: SequencePlan | null = null;
   private wanted: SequencePlan | null = null;
   private building: { key: string; abort: AbortController } | null = null;
   private running: Promise<void> | null = null;
@@ -49,7 +49,7 @@ export class SequenceSet {
   }
 
   get plan(): SequencePlan | null {
-    return this.served;
+    return this.applied;
   }
 
   /** Resolves when no work is left. */
@@ -67,7 +67,7 @@ export class SequenceSet {
   /** Returns to the current motions. Only a build can be cancelled. */
   cancel(): void {
     if (!this.building) return;
-    this.wanted = this.served;
+    this.wanted = this.applied;
     this.building.abort.abort();
   }
 
@@ -83,16 +83,16 @@ export class SequenceSet {
   private async run(): Promise<void> {
     // The caller's store is still notifying its subscribers of this change.
     await Promise.resolve();
-    while (this.wanted && this.wanted !== this.served) {
+    while (this.wanted && this.wanted !== this.applied) {
       const plan = this.wanted;
       try {
-        if (JSON.stringify(plan) !== JSON.stringify(this.served)) await this.serve(plan);
-        this.served = plan;
+        if (JSON.stringify(plan) !== JSON.stringify(this.applied)) await this.serve(plan);
+        this.applied = plan;
         this.events.onReady(plan);
       } catch (error) {
         const superseded = this.wanted !== plan;
-        if (!superseded) this.wanted = this.served;
-        if (!superseded || !isCancelled(error)) this.events.onRefused(error, this.served);
+        if (!superseded) this.wanted = this.applied;
+        if (!superseded || !isCancelled(error)) this.events.onRefused(error, this.applied);
       }
     }
     this.running = null;

@@ -6,7 +6,7 @@ import type { Range } from '../../model/time-scale.ts';
 import { motionRange } from './motion-range.ts';
 import { sequencePlan } from './sequence-plan.ts';
 import type { SequencePlan } from './sequence-plan.ts';
-import { ServedDocument } from './served-document.ts';
+import { AppliedDocument } from './applied-document.ts';
 import { createStore } from './store.ts';
 import type { Store } from './store.ts';
 import { WorkerRestart } from './worker-restart.ts';
@@ -16,7 +16,7 @@ import type { WorkspaceEvents } from './workspace.ts';
 export interface SessionEvents extends Pick<WorkspaceEvents, 'onRead' | 'onLarge' | 'onKeys' | 'onGivenUp'> {
   onWorking(working: Progress | null): void;
   /** The sequences match the document now. */
-  onServed(): void;
+  onApplied(): void;
   /** The engine refused an edit, which is undone. */
   onError(error: unknown): void;
   /** A worker has ended. Requesting a frame starts a new one. */
@@ -45,25 +45,25 @@ export interface Session {
 }
 
 export function createSession(started: StartedEngine, events: SessionEvents): Session {
-  const { onWorking, onServed, onError, onRestart } = events;
+  const { onWorking, onApplied, onError, onRestart } = events;
   const store = createStore(EMPTY_STATE);
   const restart = new WorkerRestart(onRestart);
   const { engine } = started;
   started.onLost = () => void restart.tryAgain();
-  const served = new ServedDocument(store);
+  const applied = new AppliedDocument(store);
   /** The state and history of each requested plan. Edits may follow before its motions are made. */
-  const asked = new WeakMap<SequencePlan, Parameters<typeof served.note>>();
+  const asked = new WeakMap<SequencePlan, Parameters<typeof applied.note>>();
   const workspace = new Workspace(engine, {
     ...events,
     onProgress: onWorking,
     onReady(plan) {
       const [state, history] = asked.get(plan) ?? [store.get(), store.history()];
-      served.note(state, history);
-      onServed();
+      applied.note(state, history);
+      onApplied();
     },
     onRefused(error) {
       onError(error);
-      served.goBack();
+      applied.goBack();
     },
   });
   return {
@@ -81,7 +81,7 @@ export function createSession(started: StartedEngine, events: SessionEvents): Se
     },
     cancel() {
       workspace.cancel();
-      served.goBack();
+      applied.goBack();
     },
   };
 }

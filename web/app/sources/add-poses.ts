@@ -3,7 +3,7 @@ import type { Engine } from '../../engine/api/api.ts';
 import { modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
 import { addKey, setEncoding, timesAt } from '../../model/edits.ts';
-import type { KeyPlace } from '../../model/edits.ts';
+import type { InsertPosition } from '../../model/edits.ts';
 import { undoName } from '../../model/page-options.ts';
 import { TANGENT_NAME } from '../../model/speeds.ts';
 import type { End } from '../../model/speeds.ts';
@@ -31,7 +31,7 @@ interface Pooled {
 export async function addPoses(
   parts: AddPosesParts,
   files: readonly PickedFile[],
-  place: KeyPlace | null = null,
+  place: InsertPosition | null = null,
 ): Promise<number | null> {
   const added = await pooled(parts, files);
   if (!added) return null;

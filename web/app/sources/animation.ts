@@ -10,7 +10,7 @@ import type { InputFile, Progress } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
-import { MOST_SAMPLED } from '../../engine/api/option-table.ts';
+import { MAX_SAMPLED } from '../../engine/api/option-table.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
@@ -36,7 +36,7 @@ export interface Fewest {
 }
 
 /** An animation from other files, with the mesh of these poses. */
-interface Truth {
+interface Reference {
   name: string;
   pool: PosePool;
   motion: ReferenceMotion;
@@ -51,7 +51,7 @@ interface Read {
 
 export class Animation {
   private read: Read | null = null;
-  private other: Truth | null = null;
+  private other: Reference | null = null;
   private stop = new AbortController();
   private seeking = new AbortController();
   /** The last request. The next one waits for it. */
@@ -79,7 +79,7 @@ export class Animation {
       if (!reference) return null;
       return fewestKeys(engine, reference, {
         tolerance: percent / 100,
-        most: MOST_SAMPLED,
+        max: MAX_SAMPLED,
         options: { method, stretch, boundary: boundary === 'periodic' ? 'natural' : boundary },
         signal,
         onProgress: onWorking,
@@ -92,19 +92,19 @@ export class Animation {
   /** The animation for comparison; null if there is none, or if it was unreadable. */
   async reference(): Promise<TimedShapes | null> {
     const { store, workspace } = this.parts;
-    const given = this.truthNow;
+    const given = this.referenceNow;
     if (given) return spread(given.motion, () => keyRange(store, workspace));
     return this.guarded((signal) => this.referenceOf(workspace.info?.animation ?? -1, signal));
   }
 
   /** Compares with other files' animation instead of the keys' from now on; false if it is not used. */
-  async takeTruth(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean> {
+  async takeReference(files: PickedFile[] | Promise<PickedFile[]>): Promise<boolean> {
     const { workspace } = this.parts;
     const picked = await files;
     const { pool } = workspace;
     if (!pool || picked.length === 0) return false;
     const motion = await this.guarded(async (signal) =>
-      this.readTruth(await readFiles(picked, undefined, signal), pool, signal),
+      this.readReference(await readFiles(picked, undefined, signal), pool, signal),
     );
     if (!motion || workspace.pool !== pool) return false;
     // The previous animation is not disposed of, because it stays on the screen until this one is ready.
@@ -112,13 +112,13 @@ export class Animation {
     return true;
   }
 
-  dropTruth(): void {
+  dropReference(): void {
     this.other = null;
   }
 
   /** Name of the other files' animation; null if there is none. */
-  get truth(): string | null {
-    return this.truthNow?.name ?? null;
+  get referenceName(): string | null {
+    return this.referenceNow?.name ?? null;
   }
 
   cancel(): void {
@@ -128,7 +128,7 @@ export class Animation {
   }
 
   /** The other files' animation, if it matches the open content. */
-  private get truthNow(): Truth | null {
+  private get referenceNow(): Reference | null {
     return this.other?.pool === this.parts.workspace.pool ? this.other : null;
   }
 
@@ -159,7 +159,7 @@ export class Animation {
     return JSON.stringify([animation, options.up, options.unit, options.objects, info?.offset]);
   }
 
-  private async readTruth(files: InputFile[], { keys }: PosePool, signal: AbortSignal): Promise<ReferenceMotion> {
+  private async readReference(files: InputFile[], { keys }: PosePool, signal: AbortSignal): Promise<ReferenceMotion> {
     const { engine, workspace } = this.parts;
     const { up, unit, objects } = workspace.options;
     const options = { up, unit, objects, ...likeOf(keys) };

@@ -5,10 +5,10 @@
 import type { Offer } from '../../ui/messages.ts';
 import { readSetting, writeSetting } from '../../ui/local-setting.ts';
 import type { Opener } from './opener.ts';
-import { guideLink, strangeLink } from './page-link.ts';
+import { guideLink, unknownLinkMessage } from './page-link.ts';
 import { readPermalink } from './permalink.ts';
-import type { StoredProject } from '../kept/project-shelf.ts';
-import type { RememberedFiles } from '../kept/remembered-files.ts';
+import type { StoredProject } from '../storage/project-shelf.ts';
+import type { RememberedFiles } from '../storage/remembered-files.ts';
 import { fetchSamples, makeSample } from './samples.ts';
 import type { Sample } from './samples.ts';
 
@@ -61,7 +61,7 @@ export async function openInitial(
   const named = readPermalink(fragment);
   const page = guideLink(fragment);
   if (page && ((await onGuide(page)) || isOvertaken())) return;
-  const strange = named ? null : strangeLink(fragment);
+  const strange = named ? null : unknownLinkMessage(fragment);
   if (strange) say(strange);
   const again = async (project: StoredProject): Promise<boolean | null> => {
     if (isOvertaken()) return null;

@@ -2,16 +2,16 @@
 import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
-import type { KeyPlace } from '../../model/edits.ts';
+import type { InsertPosition } from '../../model/edits.ts';
 import { orientationStep, reorientedDoc } from '../../model/orientation.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { End } from '../../model/speeds.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
-import { OpenHistory } from '../kept/open-history.ts';
-import type { Step } from '../kept/open-history.ts';
-import type { StoredProject } from '../kept/project-shelf.ts';
-import { currentSnapshot } from '../kept/snapshot.ts';
-import type { Snapshot } from '../kept/snapshot.ts';
+import { OpenHistory } from '../storage/open-history.ts';
+import type { Step } from '../storage/open-history.ts';
+import type { StoredProject } from '../storage/project-shelf.ts';
+import { currentSnapshot } from '../storage/snapshot.ts';
+import type { Snapshot } from '../storage/snapshot.ts';
 import type { Store } from '../session/store.ts';
 import type { LoadedKeys, Workspace } from '../session/workspace.ts';
 import { addPoses, takeTangent } from './add-poses.ts';
@@ -28,7 +28,7 @@ import {
 import type { OpenRequest, Present } from './open-request.ts';
 import { openedState, startOf } from './start-state.ts';
 import type { StartState } from './start-state.ts';
-import { leftOut } from './permalink.ts';
+import { ignoredValues } from './permalink.ts';
 import type { Permalink } from './permalink.ts';
 import type { Sample } from './samples.ts';
 import { fetchSample } from './samples.ts';
@@ -124,7 +124,7 @@ export class Opener {
   /**
    * Adds the files' poses at this position, by default after the last key. Call within `run`; fails for another mesh.
    */
-  addPoses(files: readonly PickedFile[], place?: KeyPlace | null): Promise<number | null> {
+  addPoses(files: readonly PickedFile[], place?: InsertPosition | null): Promise<number | null> {
     return this.reading(() => addPoses(this.parts, files, place));
   }
 
@@ -228,7 +228,7 @@ export class Opener {
       return true;
     }
     store.reset(state, left && 'history' in left ? left.history : undefined);
-    const unused = opening.link && leftOut(opening.link, opening.doc);
+    const unused = opening.link && ignoredValues(opening.link, opening.doc);
     const said = [...opening.lost, ...(unused ? [unused] : [])];
     if (said.length > 0) say(said.join(' '));
     return true;

@@ -1,9 +1,9 @@
 /** The user's files that can be reopened: the open ones, then those of this and of earlier visits. */
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { AppState, Source } from '../../model/state.ts';
-import type { ProjectOnShelf } from '../kept/project-shelf.ts';
+import type { ProjectOnShelf } from '../storage/project-shelf.ts';
 import type { Sample } from './samples.ts';
-import type { Snapshot } from '../kept/snapshot.ts';
+import type { Snapshot } from '../storage/snapshot.ts';
 
 export interface OwnFiles {
   /** Project id. */

@@ -35,7 +35,7 @@ export function guideLink(fragment: string): string | null {
 }
 
 /** A fragment with an unknown name; null if it names nothing. */
-export function strangeLink(fragment: string): string | null {
+export function unknownLinkMessage(fragment: string): string | null {
   if (fragment.replace(/^#/, '') === '') return null;
   return 'The link does not name a sample or tour page, so it was ignored.';
 }
@@ -84,7 +84,7 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     else if (link) onLink(link);
     else if (pinned && hash === '') onGuide(null);
     else {
-      const strange = strangeLink(hash);
+      const strange = unknownLinkMessage(hash);
       if (strange) say(strange);
     }
   };

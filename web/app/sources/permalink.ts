@@ -4,22 +4,22 @@
  */
 import { goneIn } from '../../engine/api/gone-options.ts';
 import { METHODS } from '../../engine/api/methods.ts';
-import { ENCODING, MOST_TIME, MOST_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
+import { ENCODING, MAX_TIME, MAX_TURNS, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
 import type { Option } from '../../engine/api/option-table.ts';
-import { choiceNow, wrongWith } from '../../engine/api/options.ts';
+import { choiceNow, validationError } from '../../engine/api/options.ts';
 import type { AddedTurns, Method } from '../../engine/api/types.ts';
 import { setShaping, setTurns } from '../../model/edits.ts';
 import { MAX_FPS, MIN_FPS } from '../../model/frames.ts';
-import { leftOutSentence } from '../../model/left-out.ts';
+import { ignoredValuesSentence } from '../../model/ignored-link-values.ts';
 import { forPage, isPose, pageOptions } from '../../model/page-options.ts';
 import { pinsFromText, pinsText } from '../../model/pins.ts';
 import type { ShapingNumber } from '../../model/shaping.ts';
 import { SHAPING_NUMBERS, turnsOf } from '../../model/shaping.ts';
-import { LEAST_SHARE } from '../../ui/divider.ts';
+import { MIN_SHARE } from '../../ui/divider.ts';
 import type { CameraPose } from '../../model/camera.ts';
 import type { AppState, Colouring, Doc, Encoding, LoopMode, Motion, View } from '../../model/state.ts';
-import { DEFAULT_VIEW, LEAST_FILM_SHAPES, LEAST_ONION_SPACING, MOST_FILM_SHAPES } from '../../model/state.ts';
-import { MOST_COMPARED, MOST_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/state.ts';
+import { DEFAULT_VIEW, MIN_FILM_SHAPES, MIN_ONION_SPACING, MAX_FILM_SHAPES } from '../../model/state.ts';
+import { MAX_COMPARED, MAX_ONION_SKINS, PRESENTED, SPEEDS } from '../../model/state.ts';
 
 export interface Permalink {
   sample: string;
@@ -151,12 +151,12 @@ export function readPermalink(fragment: string): Permalink | null {
 }
 
 /** A sentence about parts of the link that are missing from the resulting document, or null. */
-export function leftOut({ unfit, motion, keys }: Permalink, doc: Doc): string | null {
+export function ignoredValues({ unfit, motion, keys }: Permalink, doc: Doc): string | null {
   const names = [...unfit];
   if ((motion.period ?? null) !== doc.motion.period) names.push('period');
   if (keys && (keys.length !== doc.keys.length || keys.some(([, time], i) => time !== doc.keys[i]!.time)))
     names.push('keys');
-  return leftOutSentence(names);
+  return ignoredValuesSentence(names);
 }
 
 /** Applies a link to its sample's initial document. Leaves out poses and components that the sample lacks. */
@@ -198,13 +198,13 @@ function optionValue(option: Option, text: string): unknown {
   if (isPose(option)) return index(text);
   if (option.kind === 'pins') return pinsFromText(text);
   const value = option.kind === 'choice' ? choiceNow(option, text) : option.kind === 'flag' ? flag(text) : number(text);
-  return value !== undefined && wrongWith(option, value) === null ? value : undefined;
+  return value !== undefined && validationError(option, value) === null ? value : undefined;
 }
 
-const isTurns = (value: number): boolean => Number.isInteger(value) && Math.abs(value) <= MOST_TURNS;
+const isTurns = (value: number): boolean => Number.isInteger(value) && Math.abs(value) <= MAX_TURNS;
 
 function shapingNumbers(name: ShapingNumber, text: string): number[] | undefined {
-  return allGood(numbers(text), (value) => wrongWith(PER_KEY[name], value) === null);
+  return allGood(numbers(text), (value) => validationError(PER_KEY[name], value) === null);
 }
 
 function readView(take: Take): Partial<View> {
@@ -226,10 +226,10 @@ function readView(take: Take): Partial<View> {
       boolean | undefined
     >),
     compare: take('compare', methods),
-    split: take('split', (text) => numberFrom(text, LEAST_SHARE, 1 - LEAST_SHARE)),
-    onionSkins: take('onionSkins', (text) => wholeFrom(text, 1, MOST_ONION_SKINS)),
-    onionSpacing: take('onionSpacing', (text) => numberFrom(text, LEAST_ONION_SPACING, MOST_TIME)),
-    filmShapes: take('filmShapes', (text) => wholeFrom(text, LEAST_FILM_SHAPES, MOST_FILM_SHAPES)),
+    split: take('split', (text) => numberFrom(text, MIN_SHARE, 1 - MIN_SHARE)),
+    onionSkins: take('onionSkins', (text) => wholeFrom(text, 1, MAX_ONION_SKINS)),
+    onionSpacing: take('onionSpacing', (text) => numberFrom(text, MIN_ONION_SPACING, MAX_TIME)),
+    filmShapes: take('filmShapes', (text) => wholeFrom(text, MIN_FILM_SHAPES, MAX_FILM_SHAPES)),
     camera: take('camera', readCamera),
     window,
     present: take('present', (text) => oneOf(text, PRESENTED)),
@@ -239,11 +239,11 @@ function readView(take: Take): Partial<View> {
 /** The known methods; undefined if none is known. */
 function methods(text: string): Method[] | undefined {
   const known = text.split(',').flatMap((name) => oneOf(name, METHODS) ?? []);
-  return known.length > 0 ? [...new Set(known)].slice(0, MOST_COMPARED) : undefined;
+  return known.length > 0 ? [...new Set(known)].slice(0, MAX_COMPARED) : undefined;
 }
 
-function wholeFrom(text: string, least: number, most: number): number | undefined {
-  const count = numberFrom(text, least, most);
+function wholeFrom(text: string, min: number, max: number): number | undefined {
+  const count = numberFrom(text, min, max);
   return Number.isInteger(count) ? count : undefined;
 }
 
@@ -295,19 +295,19 @@ function allGood(values: number[] | undefined, good: (value: number) => boolean)
   return values?.every(good) ? values : undefined;
 }
 
-const isTime = (value: number): boolean => Math.abs(value) <= MOST_TIME;
+const isTime = (value: number): boolean => Math.abs(value) <= MAX_TIME;
 
 function number(text: string): number | undefined {
   const value = Number(text);
   return Number.isFinite(value) ? value : undefined;
 }
 
-function numberFrom(text: string, least: number, most: number): number | undefined {
+function numberFrom(text: string, min: number, max: number): number | undefined {
   const value = number(text);
-  return value !== undefined && value >= least && value <= most ? value : undefined;
+  return value !== undefined && value >= min && value <= max ? value : undefined;
 }
 
-const time = (text: string): number | undefined => numberFrom(text, -MOST_TIME, MOST_TIME);
+const time = (text: string): number | undefined => numberFrom(text, -MAX_TIME, MAX_TIME);
 
 function oneOfNumbers(text: string, values: readonly number[]): number | undefined {
   return values.find((value) => value === number(text));

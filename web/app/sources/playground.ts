@@ -1,7 +1,7 @@
 /** Serves the playground in another tab: coordinates of the open shape, and the options of its keys. */
 import type { Motion } from '../../engine/api/api.ts';
-import { MOST_TIME, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
-import { wrongWith } from '../../engine/api/options.ts';
+import { MAX_TIME, MOTION, PER_KEY } from '../../engine/api/option-table.ts';
+import { validationError } from '../../engine/api/options.ts';
 import { setMotion } from '../../model/edits.ts';
 import type { KeyPassing, SourceShape, PlaygroundMessage, ShapeCoordinate } from '../../model/playground-channel.ts';
 import { messageFrom, playgroundChannel } from '../../model/playground-channel.ts';
@@ -79,12 +79,12 @@ function passingOf({ keys, motion }: Doc): KeyPassing {
 
 /** Whether the engine accepts these numbers. */
 function fits({ times, startSpeed, endSpeed, tension, bias }: KeyPassing): boolean {
-  const speeds = wrongWith(MOTION.startSpeed, startSpeed) ?? wrongWith(MOTION.endSpeed, endSpeed);
+  const speeds = validationError(MOTION.startSpeed, startSpeed) ?? validationError(MOTION.endSpeed, endSpeed);
   const wrong = [
-    ...tension.map((one) => wrongWith(PER_KEY.tension, one)),
-    ...bias.map((one) => wrongWith(PER_KEY.bias, one)),
+    ...tension.map((one) => validationError(PER_KEY.tension, one)),
+    ...bias.map((one) => validationError(PER_KEY.bias, one)),
   ];
-  return speeds === null && wrong.every((one) => one === null) && times.every((time) => Math.abs(time) <= MOST_TIME);
+  return speeds === null && wrong.every((one) => one === null) && times.every((time) => Math.abs(time) <= MAX_TIME);
 }
 
 /** Replaces times, ends, tensions and biases; the shapes stay. */

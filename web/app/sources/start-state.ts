@@ -3,15 +3,15 @@ import { goneIn, goneSentence } from '../../engine/api/gone-options.ts';
 import type { KeysInfo } from '../../engine/api/types.ts';
 import { isInside } from '../../model/camera.ts';
 import { setMotion } from '../../model/edits.ts';
-import { keptDoc } from '../../model/kept-document.ts';
+import { storedDocument } from '../../model/stored-document.ts';
 import { relativeTo, reoriented, reorientedDoc } from '../../model/orientation.ts';
 import type { AppState, Doc, LoopMode, Play, View } from '../../model/state.ts';
 import { DEFAULT_VIEW, comfortableSpeed, offeredSpeed } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { clampTime, length } from '../../model/time-scale.ts';
-import { newProjectId } from '../kept/project-shelf.ts';
-import type { StoredProject } from '../kept/project-shelf.ts';
-import type { Snapshot } from '../kept/snapshot.ts';
+import { newProjectId } from '../storage/project-shelf.ts';
+import type { StoredProject } from '../storage/project-shelf.ts';
+import type { Snapshot } from '../storage/snapshot.ts';
 import { motionRange } from '../session/motion-range.ts';
 import type { PosePool } from '../session/pose-pool.ts';
 import type { Turn } from '../session/store.ts';
@@ -64,7 +64,7 @@ export function restored({ poses, offset = [0, 0, 0], state }: StoredProject, po
   const offsets = [offset, pool.keys.info.offset] as const;
   for (const { name, positions } of poses.slice(pool.count - pool.imported))
     pool.add(name, turn ? reoriented(positions, turn.before, turn.after, offsets) : relativeTo(positions, ...offsets));
-  const doc = keptDoc(state.doc);
+  const doc = storedDocument(state.doc);
   return turn ? reorientedDoc(doc, turn.before, turn.after) : doc;
 }
 

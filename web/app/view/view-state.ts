@@ -1,7 +1,7 @@
 /** Page content outside the saved state: running work, results, thumbnails. */
 import type { Frame, KeysInfo, Method, SequenceStats, Warning } from '../../engine/api/types.ts';
 import type { SpeedCurve } from '../../model/speed-curve.ts';
-import { USUAL_MOST } from '../../model/speeds.ts';
+import { USUAL_MAX_SPEEDS } from '../../model/speeds.ts';
 import type { Speeds } from '../../model/speeds.ts';
 import type { Doc } from '../../model/state.ts';
 import type { ExportRequest, VideoFormat } from '../../model/export-request.ts';
@@ -10,7 +10,7 @@ import type { ErrorMessage, Working } from '../../ui/messages.ts';
 import type { Orientation } from '../../model/orientation.ts';
 import type { Fewest } from '../sources/animation.ts';
 import type { OpenResult } from '../sources/opener.ts';
-import type { ProjectOnShelf } from '../kept/project-shelf.ts';
+import type { ProjectOnShelf } from '../storage/project-shelf.ts';
 import type { Sample } from '../sources/samples.ts';
 
 /** A shape off the curve: a blend of the keys with these weights, one per key, sum 1. */
@@ -51,7 +51,7 @@ export interface ViewState {
   /** The motion's speed over time; null until known. */
   speedCurve: SpeedCurve | null;
   /** Hermite: the largest offered end speeds. */
-  mostSpeeds: Speeds;
+  maxSpeeds: Speeds;
   /** Image of the time under the mouse on the timeline, as a URL; null for none. */
   timePicture: string | null;
   welcome: boolean;
@@ -71,7 +71,7 @@ export interface ViewState {
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
   original: boolean;
-  /** The sheet for choosing keys of an animation is open. */
+  /** The dialog for choosing keys of an animation is open. */
   opening: boolean;
   /** The blend shown instead of the motion until the time changes. */
   blend: Blend | null;
@@ -96,7 +96,7 @@ export function openedView(opened: OpenResult, before: ViewState): Partial<ViewS
     warnings: info.warnings,
     thumbnails: new Map(),
     speedCurve: null,
-    mostSpeeds: USUAL_MOST,
+    maxSpeeds: USUAL_MAX_SPEEDS,
     timePicture: null,
     placing: false,
     fewest: null,
@@ -169,7 +169,7 @@ const EMPTY_VIEW_STATE: ViewState = {
   indefiniteFace: -1,
   thumbnails: new Map(),
   speedCurve: null,
-  mostSpeeds: USUAL_MOST,
+  maxSpeeds: USUAL_MAX_SPEEDS,
   timePicture: null,
   welcome: true,
   offline: false,

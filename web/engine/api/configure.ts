@@ -68,6 +68,6 @@ export function urlsFor(own: FileUrls): FileUrls {
 }
 
 /** URL of another module if only the core's URL is configured. */
-export function besideCore(wasm: URL | undefined, name: 'files' | 'shells'): URL | undefined {
+export function siblingModule(wasm: URL | undefined, name: 'files' | 'shells'): URL | undefined {
   return wasm && new URL(`shapespline_${name}.wasm`, wasm);
 }

@@ -3,7 +3,7 @@
  * has fields for these.
  */
 
-import { MOST_FRAMES } from './option-table.ts';
+import { MAX_EXPORTED_FRAMES } from './option-table.ts';
 import { extensionOf } from './paths.ts';
 import type { InputFile } from './types.ts';
 
@@ -11,7 +11,7 @@ const MARK = 'shapespline: Y up, metres';
 /** Times on a line. Some programs refuse lines of more than 64 kB. */
 const PER_LINE = 500;
 /** Longest note. */
-const HEAD = 26 * MOST_FRAMES;
+const HEAD = 26 * MAX_EXPORTED_FRAMES;
 /** A note starts a file; in a PLY it follows the magic word and the format. */
 const BEFORE_MARK = 200;
 /** Tolerance of even spacing, relative to the covered time. */
@@ -75,7 +75,7 @@ export function readNote(bytes: Uint8Array): ExportNote | null {
   if (!lines.includes(MARK)) return null;
   const listed = lines.flatMap((line) => (line.startsWith('times ') ? line.slice(6).split(' ').map(Number) : []));
   const [, count, , first, , last] = lines.find((line) => line.startsWith('frames '))?.split(' ') ?? [];
-  const even = Number(count) <= MOST_FRAMES ? evenly(Number(count), Number(first), Number(last)) : [];
+  const even = Number(count) <= MAX_EXPORTED_FRAMES ? evenly(Number(count), Number(first), Number(last)) : [];
   const times = [...listed, ...even];
   return { times: times.length > 0 && times.every(Number.isFinite) ? times : null };
 }

@@ -32,7 +32,7 @@ interface Ready<F> {
 /** Weight of the latest cost in the running mean. */
 const NEW_SHARE = 0.25;
 /** Upper bound on the ticks between two calls of take, as longer gaps may be pauses. */
-const MOST_APART = 12;
+const MAX_APART = 12;
 /** Number of ticks to search for a different time. */
 const FARTHEST = 30;
 
@@ -78,7 +78,7 @@ export class FramePlayer<F extends Pick<Frame, 'ms' | 'release'> = Frame> {
   private noteTaken(tick: number): void {
     const apart = tick - this.taken;
     this.taken = tick;
-    if (apart > 0 && apart < Infinity) this.ticksApart += NEW_SHARE * (Math.min(apart, MOST_APART) - this.ticksApart);
+    if (apart > 0 && apart < Infinity) this.ticksApart += NEW_SHARE * (Math.min(apart, MAX_APART) - this.ticksApart);
   }
 
   private ask(now: number): void {

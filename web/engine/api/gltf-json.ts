@@ -3,13 +3,13 @@
  * wasm/io/base/limits has the same limits and reports the exceeded one.
  */
 const DEEPEST = 100;
-const MOST_OBJECTS = 250_000;
-const MOST_VALUES = 4_000_000;
+const MAX_OBJECTS = 250_000;
+const MAX_VALUES = 4_000_000;
 
 const [QUOTE, BACKSLASH, COMMA] = [0x22, 0x5c, 0x2c];
 const [OPEN_LIST, CLOSE_LIST, OPEN_OBJECT, CLOSE_OBJECT] = [0x5b, 0x5d, 0x7b, 0x7d];
 
-function canBeHeld(text: string): boolean {
+function fitsInMemory(text: string): boolean {
   let [depth, objects, values, inString] = [0, 0, 0, false];
   for (let i = 0; i < text.length; ++i) {
     const c = text.charCodeAt(i);
@@ -24,14 +24,14 @@ function canBeHeld(text: string): boolean {
       ++values;
       if (c === OPEN_OBJECT) ++objects;
     }
-    if (objects > MOST_OBJECTS || values > MOST_VALUES) return false;
+    if (objects > MAX_OBJECTS || values > MAX_VALUES) return false;
   }
   return true;
 }
 
 /** The parsed JSON; undefined if broken or too large. The core reads the same text and reports the error. */
 export function parseGltf(text: string): unknown {
-  if (!canBeHeld(text)) return undefined;
+  if (!fitsInMemory(text)) return undefined;
   try {
     return JSON.parse(text.replace(/^\uFEFF/, '')) as unknown;
   } catch {

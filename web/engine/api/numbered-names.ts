@@ -21,9 +21,9 @@ interface Numbered {
 
 const naturally = new Intl.Collator('en', { numeric: true, sensitivity: 'base' });
 
-const MOST = 1e9;
+const MAX_NUMBER = 1e9;
 /** Most numbers of a name that are compared, from the end. */
-const MOST_NUMBERS = 8;
+const MAX_NUMBERS = 8;
 
 const sequenceOf = ({ start, end }: Pick<Numbered, 'start' | 'end'>): string => `${start}\0${end}`;
 
@@ -35,11 +35,11 @@ function numbersIn(name: string, place: number): { whole: Numbered[]; fractions:
   const digits = [...stem.slice(folder).matchAll(/\d+/g)]
     .map(({ 0: text, index }) => ({ from: folder + index, to: folder + index + text.length }))
     .reverse()
-    .slice(0, MOST_NUMBERS);
+    .slice(0, MAX_NUMBERS);
   const numberAt = (from: number, to: number): Numbered[] => {
     const number = Number(stem.slice(from, to));
     const end = `${stem.slice(to)}.${extensionOf(name)}`;
-    return number > MOST ? [] : [{ place, start: name.slice(0, from), end, number }];
+    return number > MAX_NUMBER ? [] : [{ place, start: name.slice(0, from), end, number }];
   };
   return {
     whole: digits.flatMap(({ from, to }) => numberAt(from, to)),

@@ -5,16 +5,16 @@
  */
 
 /** Largest absolute time. Differences of 1e-6 are still representable at this time. */
-export const MOST_TIME = 1e9;
-export const MOST_FRAMES = 100_000;
-export const MOST_KEYS = 10_000;
+export const MAX_TIME = 1e9;
+export const MAX_EXPORTED_FRAMES = 100_000;
+export const MAX_KEYS = 10_000;
 /** Limit for pins, and for keys of a pin's path. */
-export const MOST_PINS = 100;
-export const MOST_PATH_KEYS = 1000;
+export const MAX_PINS = 100;
+export const MAX_PATH_KEYS = 1000;
 /** Upper bound on added turns. */
-export const MOST_TURNS = 100;
+export const MAX_TURNS = 100;
 /** Upper bound on slopes, relative to the default slope at a key. */
-const MOST_SLOPE = 1000;
+const MAX_SLOPE = 1000;
 
 /**
  * Full turns added between a key and the previous one: of the whole shape, or of a component relative to its parent.
@@ -111,8 +111,8 @@ export interface NumberOption extends Described {
   whole?: true;
   /** Bounds of every number; `above` is an exclusive lower bound. */
   above?: number;
-  least?: number;
-  most: number;
+  min?: number;
+  max: number;
   /** The word for 0 on the command line. 0 is allowed even if it is outside the range. */
   zero?: string;
 }
@@ -130,7 +130,7 @@ export interface OtherOption extends Described {
   default?: null | boolean | number | readonly never[];
   /** For lists: requires at least one entry; and the largest number of entries. */
   some?: true;
-  most?: number;
+  max?: number;
 }
 
 export type Option = NumberOption | ChoiceOption | OtherOption;
@@ -175,7 +175,7 @@ export const MOTION = {
   /** The user's pins, for the method 'lri'. A vertex in several pins belongs to the first. */
   pins: {
     kind: 'pins',
-    most: MOST_PINS,
+    max: MAX_PINS,
     default: [],
     flag: 'pin',
     value: 'VERTEX[:RADIUS][:stay=KEY][:path=T/X/Y/Z,...]',
@@ -198,8 +198,8 @@ export const MOTION = {
   /** Hermite: factor of the one-sided difference at the first key; 0 = ease. */
   startSpeed: {
     kind: 'number',
-    least: -MOST_SLOPE,
-    most: MOST_SLOPE,
+    min: -MAX_SLOPE,
+    max: MAX_SLOPE,
     default: 1,
     flag: 'start-speed',
     value: 'S',
@@ -210,8 +210,8 @@ export const MOTION = {
   /** Hermite: factor of the one-sided difference at the last key; 0 = ease. */
   endSpeed: {
     kind: 'number',
-    least: -MOST_SLOPE,
-    most: MOST_SLOPE,
+    min: -MAX_SLOPE,
+    max: MAX_SLOPE,
     default: 1,
     flag: 'end-speed',
     value: 'S',
@@ -223,7 +223,7 @@ export const MOTION = {
   period: {
     kind: 'number',
     above: 0,
-    most: MOST_TIME,
+    max: MAX_TIME,
     default: null,
     flag: 'period',
     value: 'P',
@@ -240,8 +240,8 @@ export const MOTION = {
   keepLengths: {
     kind: 'number',
     whole: true,
-    least: 0,
-    most: 3,
+    min: 0,
+    max: 3,
     default: 0,
     flag: 'keep-lengths',
     value: 'N',
@@ -253,8 +253,8 @@ export const MOTION = {
   spaceFaces: {
     kind: 'number',
     whole: true,
-    least: 4,
-    most: 2000,
+    min: 4,
+    max: 2000,
     default: 1000,
     flag: 'space-faces',
     value: 'N',
@@ -266,8 +266,8 @@ export const MOTION = {
   spaceSamples: {
     kind: 'number',
     whole: true,
-    least: 1,
-    most: 100,
+    min: 1,
+    max: 100,
     default: 24,
     flag: 'space-samples',
     value: 'K',
@@ -287,8 +287,8 @@ export const PER_KEY = {
   /** Slope at the key = (1 - tension) times the C2 spline's own. */
   tension: {
     kind: 'number',
-    least: -MOST_SLOPE,
-    most: MOST_SLOPE,
+    min: -MAX_SLOPE,
+    max: MAX_SLOPE,
     default: 0,
     flag: 'tension',
     value: 'X,X,...',
@@ -301,8 +301,8 @@ export const PER_KEY = {
   /** Above 0, the slope follows the interval before the key more; below 0, the interval after it. */
   bias: {
     kind: 'number',
-    least: -1,
-    most: 1,
+    min: -1,
+    max: 1,
     default: 0,
     flag: 'bias',
     value: 'X,X,...',
@@ -346,8 +346,8 @@ export const ENCODING = {
   patches: {
     kind: 'number',
     whole: true,
-    least: 0,
-    most: 100_000,
+    min: 0,
+    max: 100_000,
     default: 0,
     flag: 'patches',
     value: 'N',
@@ -371,8 +371,8 @@ export const ENCODING = {
   ghostFaces: {
     kind: 'number',
     whole: true,
-    least: 4,
-    most: 16_000_000,
+    min: 4,
+    max: 16_000_000,
     zero: 'off',
     default: 0,
     flag: 'ghost-faces',
@@ -432,14 +432,14 @@ export const ENCODING = {
 /** Default number of evenly spaced keys from an animation. */
 export const SAMPLED_KEYS = 8;
 /** Limit for keys from an animation in the page, as more are indistinguishable on a timeline. */
-export const MOST_SAMPLED = 64;
+export const MAX_SAMPLED = 64;
 
 /** Options of an import. */
 export const IMPORT = {
   /** Key times; default: the animation's own, or else one second apart. */
   keyTimes: {
     kind: 'numbers',
-    most: MOST_KEYS,
+    max: MAX_KEYS,
     flag: 'key-times',
     value: 'T,T,...',
     help: "times of the keys in seconds; default: the animation's own, or one second apart",
@@ -459,7 +459,7 @@ export const IMPORT = {
   /** Times on the animation's own timeline, in seconds, or the number of evenly spaced ones; default 8. */
   sample: {
     kind: 'sample',
-    most: MOST_KEYS,
+    max: MAX_KEYS,
     flag: 'sample',
     value: 'T,T,...|N',
     help:
@@ -479,8 +479,8 @@ export const IMPORT = {
   /** Metres per unit of OBJ, PLY and OFF files. Default 1. */
   unit: {
     kind: 'number',
-    least: 1e-9,
-    most: 1e9,
+    min: 1e-9,
+    max: 1e9,
     default: 1,
     flag: 'unit',
     value: 'METRES',
@@ -533,7 +533,7 @@ export const EXPORT = {
   times: {
     kind: 'numbers',
     some: true,
-    most: MOST_FRAMES,
+    max: MAX_EXPORTED_FRAMES,
     default: null,
     flag: 'at',
     value: 'T,T,...',
@@ -543,8 +543,8 @@ export const EXPORT = {
   frames: {
     kind: 'number',
     whole: true,
-    least: 2,
-    most: MOST_FRAMES,
+    min: 2,
+    max: MAX_EXPORTED_FRAMES,
     default: null,
     flag: 'frames',
     value: 'K',
@@ -556,8 +556,8 @@ export const EXPORT = {
    */
   fps: {
     kind: 'number',
-    least: 0.01,
-    most: 1000,
+    min: 0.01,
+    max: 1000,
     default: null,
     flag: 'fps',
     value: 'F',
@@ -569,8 +569,8 @@ export const EXPORT = {
    */
   tolerance: {
     kind: 'number',
-    least: 0.0001,
-    most: 100,
+    min: 0.0001,
+    max: 100,
     zero: 'off',
     default: 0.1,
     flag: 'tolerance',
@@ -604,7 +604,7 @@ export const EXPORT = {
   duration: {
     kind: 'number',
     above: 0,
-    most: MOST_TIME,
+    max: MAX_TIME,
     default: null,
     flag: 'duration',
     value: 'SECONDS',
@@ -628,8 +628,8 @@ export const EXPORT = {
   /** Exports only the pose at this time; frames, range and duration are ignored. */
   pose: {
     kind: 'number',
-    least: -MOST_TIME,
-    most: MOST_TIME,
+    min: -MAX_TIME,
+    max: MAX_TIME,
     default: null,
     help: 'export only the pose at this time in seconds; frames, range and duration are ignored',
   },

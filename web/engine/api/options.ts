@@ -8,9 +8,9 @@ import {
   ENCODING,
   EXPORT,
   IMPORT,
-  MOST_PATH_KEYS,
-  MOST_TIME,
-  MOST_TURNS,
+  MAX_PATH_KEYS,
+  MAX_TIME,
+  MAX_TURNS,
   MOTION,
   PER_KEY,
   optionsIn,
@@ -34,17 +34,17 @@ type Check = (value: unknown) => string | null;
 type Checks = Readonly<Record<string, Check>>;
 
 const isNumber = (value: unknown): value is number => typeof value === 'number' && Number.isFinite(value);
-const isTime = (value: unknown): value is number => isNumber(value) && Math.abs(value) <= MOST_TIME;
+const isTime = (value: unknown): value is number => isNumber(value) && Math.abs(value) <= MAX_TIME;
 const grouped = (value: number): string => value.toLocaleString('en', { maximumFractionDigits: 9 });
-const BETWEEN_TIMES = `from ${grouped(-MOST_TIME)} to ${grouped(MOST_TIME)}`;
+const BETWEEN_TIMES = `from ${grouped(-MAX_TIME)} to ${grouped(MAX_TIME)}`;
 
 /** Limit of 32-bit numbers in the core, whose messages count indices from 1. */
-const MOST = 2 ** 31 - 2;
+const MAX_COUNT = 2 ** 31 - 2;
 const wholeFrom =
-  (least: number): Check =>
+  (min: number): Check =>
   (v) => {
-    if (!isNumber(v) || !Number.isInteger(v) || v < least) return `must be a whole number of at least ${least}`;
-    return v <= MOST ? null : `must be at most ${grouped(MOST)}`;
+    if (!isNumber(v) || !Number.isInteger(v) || v < min) return `must be a whole number of at least ${min}`;
+    return v <= MAX_COUNT ? null : `must be at most ${grouped(MAX_COUNT)}`;
   };
 const times: Check = (v) => (Array.isArray(v) && v.every(isTime) ? null : `must be an array of times ${BETWEEN_TIMES}`);
 
@@ -52,27 +52,27 @@ const turns: Check = (v) => {
   const good = (entry: unknown): boolean => {
     if (typeof entry !== 'object' || entry === null) return false;
     const { key, turns: count, component = 0, ...rest } = entry as Record<string, unknown>;
-    const inRange = Number.isInteger(count) && Math.abs(count as number) <= MOST_TURNS;
+    const inRange = Number.isInteger(count) && Math.abs(count as number) <= MAX_TURNS;
     return !wholeFrom(1)(key) && inRange && !wholeFrom(0)(component) && Object.keys(rest).length === 0;
   };
   return Array.isArray(v) && v.every(good)
     ? null
     : 'must be an array of { key, turns, component? } with whole numbers, key at least 1, component at least 0 and ' +
-        `turns from -${MOST_TURNS} to ${MOST_TURNS}`;
+        `turns from -${MAX_TURNS} to ${MAX_TURNS}`;
 };
 
 export const isRecord = (value: unknown): value is Record<string, unknown> =>
   typeof value === 'object' && value !== null;
 
 /** Largest allowed offset. */
-const MOST_MOVE = 1e12;
+const MAX_MOVE = 1e12;
 
 /** Checks a pin's path. */
 const path: Check = (v) => {
   if (!Array.isArray(v)) return 'whose path is not an array';
-  if (v.length > MOST_PATH_KEYS) return `with more than ${MOST_PATH_KEYS} keys in its path`;
+  if (v.length > MAX_PATH_KEYS) return `with more than ${MAX_PATH_KEYS} keys in its path`;
   const goodMove = (move: unknown): boolean =>
-    Array.isArray(move) && move.length === 3 && move.every((x) => isNumber(x) && Math.abs(x) <= MOST_MOVE);
+    Array.isArray(move) && move.length === 3 && move.every((x) => isNumber(x) && Math.abs(x) <= MAX_MOVE);
   const good = v.every(
     (key, i) =>
       isRecord(key) && isTime(key['time']) && goodMove(key['move']) && (i === 0 || key['time'] > v[i - 1].time),
@@ -81,7 +81,7 @@ const path: Check = (v) => {
 };
 
 /** The problem with a pin, after 'has a pin'. */
-function wrongWithPin(pin: unknown): string | null {
+function pinError(pin: unknown): string | null {
   if (!isRecord(pin)) return 'that is not an object';
   const { vertex, radius, stay = 0, path: keys = [], ...rest } = pin;
   if (wholeFrom(0)(vertex)) return 'whose vertex is not a whole number of at least 0';
@@ -93,7 +93,7 @@ function wrongWithPin(pin: unknown): string | null {
 
 const pins: Check = (v) => {
   if (!Array.isArray(v)) return 'must be an array of { vertex, radius, stay?, path? }';
-  const wrong = v.map(wrongWithPin).find((one) => one !== null);
+  const wrong = v.map(pinError).find((one) => one !== null);
   return wrong ? `has a pin ${wrong}` : null;
 };
 
@@ -115,7 +115,7 @@ export const isObject = (v: unknown): v is SceneObject =>
 /** Longest file name, in characters. */
 const LONGEST_NAME = 120;
 /** Same limit as in wasm/core/spline/discrete_spline. */
-const MOST_SAMPLES = 1000;
+const MAX_SAMPLES = 1000;
 /** Allowed deviation of the sum of weights from 1. */
 const SUM_TOLERANCE = 1e-6;
 
@@ -148,28 +148,28 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
 };
 
 /** The allowed values of an option, in words. */
-function inWords({ whole, above, least, most }: NumberOption): string {
+function inWords({ whole, above, min, max }: NumberOption): string {
   const kind = whole ? 'a whole number' : 'a number';
-  if (above !== undefined) return `${kind} above ${grouped(above)} and at most ${grouped(most)}`;
-  return `${kind} from ${grouped(least ?? -most)} to ${grouped(most)}`;
+  if (above !== undefined) return `${kind} above ${grouped(above)} and at most ${grouped(max)}`;
+  return `${kind} from ${grouped(min ?? -max)} to ${grouped(max)}`;
 }
 
 function numberCheck(option: NumberOption): Check {
-  const { whole, above = -Infinity, least = -Infinity, most, zero } = option;
+  const { whole, above = -Infinity, min = -Infinity, max, zero } = option;
   return (v) => {
     if (v === 0 && zero !== undefined) return null;
-    const good = isNumber(v) && (!whole || Number.isInteger(v)) && v > above && v >= least && v <= most;
+    const good = isNumber(v) && (!whole || Number.isInteger(v)) && v > above && v >= min && v <= max;
     return good ? null : `must be ${zero === undefined ? '' : `0 (${zero}) or `}${inWords(option)}`;
   };
 }
 
 /** Checks the number of entries. */
-function countCheck({ kind, some, most = Infinity }: OtherOption): Check {
+function countCheck({ kind, some, max = Infinity }: OtherOption): Check {
   const noun = kind === 'pins' ? 'pins' : 'times';
   return (v) => {
     const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
     if (some && count === 0) return 'must have at least one entry';
-    return count <= most ? null : `must be at most ${grouped(most)} ${noun}, not ${grouped(count)}`;
+    return count <= max ? null : `must be at most ${grouped(max)} ${noun}, not ${grouped(count)}`;
   };
 }
 
@@ -194,7 +194,7 @@ export function choiceNow<T>(option: Option, value: T): T | string {
 }
 
 /** The problem with an option's value, or null. */
-export function wrongWith(option: Option, value: unknown): string | null {
+export function validationError(option: Option, value: unknown): string | null {
   return value === null && option.default === null ? null : checkOf(option)(value);
 }
 
@@ -209,12 +209,12 @@ function listCheck(option: KeyOption): Check {
 }
 
 /** The problem with an option's list of values per key, or null. */
-export function wrongWithList(option: KeyOption, value: unknown): string | null {
+export function listValidationError(option: KeyOption, value: unknown): string | null {
   return listCheck(option)(value);
 }
 
 const checksOf = (table: OptionTable): Checks =>
-  Object.fromEntries(optionsIn(table).map(([name, option]) => [name, (value) => wrongWith(option, value)]));
+  Object.fromEntries(optionsIn(table).map(([name, option]) => [name, (value) => validationError(option, value)]));
 
 const encodingChecks = checksOf(ENCODING);
 const listChecks = Object.fromEntries(Object.entries(PER_KEY).map(([name, option]) => [name, listCheck(option)]));
@@ -335,8 +335,8 @@ export function checkWeights(given: unknown, keys: number): number[] {
 
 /** Checks the number of samples of a discrete path; the core checks the lower limit. */
 export function checkSamples(given: unknown): number {
-  if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) > MOST_SAMPLES)
-    throw invalidOption(`The number of samples must be a whole number of at most ${grouped(MOST_SAMPLES)}.`);
+  if (!Number.isSafeInteger(given) || (given as number) < 0 || (given as number) > MAX_SAMPLES)
+    throw invalidOption(`The number of samples must be a whole number of at most ${grouped(MAX_SAMPLES)}.`);
   return given as number;
 }
 

@@ -12,7 +12,7 @@ export const CACHES: readonly string[] = ['pc2', 'mdd'];
 /** Companion files of a model. */
 export const COMPANIONS: readonly string[] = ['bin', 'mtl', 'png', 'jpg', 'jpeg', 'webp', 'ktx2'];
 
-const MEANT: readonly string[] = [...MODELS, ...CACHES, ...COMPANIONS];
+const IMPORTABLE: readonly string[] = [...MODELS, ...CACHES, ...COMPANIONS];
 
 /** Longest quote from an untrusted file in a message, in characters. */
 const LONGEST_QUOTE = 80;
@@ -34,8 +34,8 @@ export const isLeftover = (path: string): boolean =>
 
 /** Removes leftovers, unless all files are leftovers. */
 export function withoutLeftovers<T extends { name: string }>(files: readonly T[]): T[] {
-  const meant = files.filter(({ name }) => !isLeftover(name));
-  return meant.length > 0 ? meant : [...files];
+  const importable = files.filter(({ name }) => !isLeftover(name));
+  return importable.length > 0 ? importable : [...files];
 }
 
 /** The extension without a .txt after it, which some programs append: walk.glb.txt. */
@@ -44,8 +44,8 @@ const innerExtension = (path: string): string => extensionOf(path.replace(/\.txt
 export const isModel = (path: string): boolean => MODELS.includes(innerExtension(path)) && !isLeftover(path);
 
 /** Whether a file of a given folder belongs to the input: a model, its motion, or a companion. Hidden files do not. */
-export const isMeantInFolder = (path: string): boolean =>
-  !fileName(path).startsWith('.') && !isLeftover(path) && MEANT.includes(innerExtension(path));
+export const isImportable = (path: string): boolean =>
+  !fileName(path).startsWith('.') && !isLeftover(path) && IMPORTABLE.includes(innerExtension(path));
 
 /**
  * The files with composed names (NFC). macOS decomposes accents, and models refer to companions in either form, so
@@ -110,7 +110,7 @@ export const isExternal = (uri: string): boolean => isElsewhere(uri) || isAbsolu
  * Resolves a URI in a model from the web. null if it leaves the model's folder: another host, another scheme, or a
  * parent folder. Also null if it would leave the folder on a host that decodes %2F or %5C.
  */
-export function urlBeside(uri: string, model: URL): URL | null {
+export function siblingUrl(uri: string, model: URL): URL | null {
   if (!/^(https?|file):$/.test(model.protocol) || !URL.canParse(uri, model)) return null;
   const url = new URL(uri, model);
   const isSameHost = url.protocol === model.protocol && url.host === model.host && url.username + url.password === '';

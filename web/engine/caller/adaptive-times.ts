@@ -20,7 +20,7 @@ export interface Wanted {
   /** Allowed times in addition to the corners, increasing; null: any time. */
   grid: readonly number[] | null;
   /** Limit for the number of times; more are refused. */
-  most: number;
+  max: number;
   onProgress?: (fraction: number) => void;
 }
 
@@ -32,7 +32,7 @@ export interface AdaptiveTimes {
 
 /** Number of samples of the second derivative, in total and per stretch. */
 const SURVEYED = 120;
-const [FEWEST_CELLS, MOST_CELLS] = [2, 12];
+const [MIN_CELLS, MAX_CELLS] = [2, 12];
 /** Shares of the tolerance to aim for and to accept. The measured error is slightly below the maximum. */
 const [AIM, ACCEPTED] = [0.8, 0.97];
 const ROUNDS = 8;
@@ -46,15 +46,15 @@ export async function adaptiveTimes(motion: Motion, wanted: Wanted): Promise<Ada
     const stretch = await divided(motion, [corners[i]!, corners[i + 1]!], stretches, wanted);
     times.push(...stretch.times);
     error = Math.max(error, stretch.error);
-    if (times.length > wanted.most) throw tooMany(times.length, wanted.most);
+    if (times.length > wanted.max) throw tooMany(times.length, wanted.max);
     onProgress?.((i + 1) / stretches);
   }
   return { times, error };
 }
 
-function tooMany(count: number, most: number): EngineError {
+function tooMany(count: number, max: number): EngineError {
   const sentence =
-    `This tolerance needs more than ${most.toLocaleString('en')} morph targets (${count.toLocaleString('en')} so far). ` +
+    `This tolerance needs more than ${max.toLocaleString('en')} morph targets (${count.toLocaleString('en')} so far). ` +
     'Use a larger tolerance, or export a shorter range.';
   return new EngineError('too-large', sentence);
 }
@@ -64,14 +64,14 @@ async function divided(
   motion: Motion,
   [start, end]: readonly [number, number],
   stretches: number,
-  { tolerance, grid, most }: Wanted,
+  { tolerance, grid, max }: Wanted,
 ): Promise<AdaptiveTimes> {
   const free = grid?.filter((t) => t > start && t < end) ?? null;
   const finest = free ? free.length + 1 : Infinity;
   const bending = await survey(motion, start, end, stretches);
   let count = Math.max(1, Math.ceil(bending.at(-1)! / Math.sqrt(8 * AIM * tolerance)));
   for (let round = 1; ; round += 1) {
-    if (count > most) throw tooMany(count, most);
+    if (count > max) throw tooMany(count, max);
     const times = cut(bending, [start, end], Math.min(count, finest), free);
     const isLast = count >= finest || round === ROUNDS;
     const error = await largestError(motion, [start, ...times], isLast ? Infinity : ACCEPTED * tolerance);
@@ -82,7 +82,7 @@ async function divided(
 
 /** The root of the second derivative at the inner ones of evenly spaced times. */
 async function curvature(motion: Motion, start: number, end: number, stretches: number): Promise<number[]> {
-  const cells = Math.min(Math.max(Math.ceil(SURVEYED / stretches), FEWEST_CELLS), MOST_CELLS);
+  const cells = Math.min(Math.max(Math.ceil(SURVEYED / stretches), MIN_CELLS), MAX_CELLS);
   const step = (end - start) / cells;
   const roots: number[] = [];
   let [before, middle] = [await motion.at(start), await motion.at(start + step)];
@@ -170,13 +170,13 @@ export function peakOf(quarter: number, middle: number, last: number): { share: 
 }
 
 /**
- * Error of a chord if above `least`; smaller errors may be underestimated. If the error in the middle exceeds `enough`,
+ * Error of a chord if above `min`; smaller errors may be underestimated. If the error in the middle exceeds `enough`,
  * no other point is measured.
  */
 async function chordError(
   motion: Motion,
   [start, end]: readonly [End, End],
-  least: number,
+  min: number,
   enough: number,
 ): Promise<number> {
   const off = async (share: number): Promise<number> =>
@@ -184,11 +184,11 @@ async function chordError(
   const middle = await off(0.5);
   if (middle > enough) return middle;
   const quarter = await off(0.25);
-  if (Math.max(quarter, middle) < SUSPICIOUS * least) return Math.max(quarter, middle);
+  if (Math.max(quarter, middle) < SUSPICIOUS * min) return Math.max(quarter, middle);
   const last = await off(0.75);
   const largest = Math.max(quarter, middle, last);
   const peak = peakOf(quarter, middle, last);
-  return peak.distance > Math.max(least, largest) ? Math.max(largest, await off(peak.share)) : largest;
+  return peak.distance > Math.max(min, largest) ? Math.max(largest, await off(peak.share)) : largest;
 }
 
 /** Largest error of all chords; above `enough` it may be underestimated. */

@@ -1,6 +1,6 @@
 /** An animation played forwards and then in reverse: the same shapes, twice the time. */
 import { EngineError } from '../api/errors.ts';
-import { MOST_WEIGHTS } from './export-plan.ts';
+import { MAX_WEIGHTS } from './export-plan.ts';
 
 export interface Weighted {
   seconds: number[];
@@ -9,11 +9,11 @@ export interface Weighted {
 }
 
 /** The turning point is not repeated. `targets`: number of shapes without the first. */
-export function thereAndBack({ seconds, weights }: Weighted, targets: number): Weighted {
+export function pingPong({ seconds, weights }: Weighted, targets: number): Weighted {
   const there = seconds.length;
   const end = seconds.at(-1)!;
   const rows = 2 * there - 1;
-  if (rows * targets > MOST_WEIGHTS)
+  if (rows * targets > MAX_WEIGHTS)
     throw new EngineError(
       'too-large',
       `With ${targets.toLocaleString('en')} morph targets forwards and backwards, the file would be too large to open here again. ` +

@@ -69,9 +69,9 @@ export class EngineClient implements Engine {
     checkCall(call);
     const checked = checkImportOptions(options);
     checkFiles(given);
-    const meant = withoutLeftovers(given);
-    checkImportSize(bytesOf(meant));
-    const files = withSpellings(meant);
+    const importable = withoutLeftovers(given);
+    checkImportSize(bytesOf(importable));
+    const files = withSpellings(importable);
     if (mayBeLarge(files)) void this.platform.threaded?.(); // Loads it in parallel with reading the keys.
     const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),

@@ -11,13 +11,13 @@ import type { ExportSource, PlannedFrames } from './export-source.ts';
 import type { ExportOptions, SequenceOptions } from '../api/types.ts';
 
 /** Limit for morph targets of a thinned animation. */
-const MOST_TARGETS = 3999;
+const MAX_TARGETS = 3999;
 /** Share of the tolerance for the weight times of principal targets. */
 const SHARE_OF_TIMES = 0.25;
 /** Limit for bytes of frames in memory while finding the principal targets. */
-const MOST_HELD = 1.5e9;
+const MAX_HELD = 1.5e9;
 /** Tolerance of principal targets requested without one, in percent. */
-const LEAST_TOLERANCE = 0.0001;
+const MIN_TOLERANCE = 0.0001;
 
 export function shapeCount({ principal, times, stills, poses }: PlannedFrames): number {
   return principal ? principal.shapes.length : times.length + stills.length + poses;
@@ -36,7 +36,7 @@ interface Chosen {
 
 /** Principal targets without a tolerance get the least one. */
 function toleranceOf(source: ExportSource, { tolerance }: ExportOptions): number {
-  return (Math.max(tolerance, LEAST_TOLERANCE) / 100) * source.keys.info.report.diagonal;
+  return (Math.max(tolerance, MIN_TOLERANCE) / 100) * source.keys.info.report.diagonal;
 }
 
 export async function planFrames(
@@ -86,7 +86,7 @@ async function fewFrames(
   const { times, error } = await adaptiveTimes(motion, {
     ...choicesOf(options, source.keyTimes, source.range),
     tolerance: share * toleranceOf(source, options),
-    most: MOST_TARGETS,
+    max: MAX_TARGETS,
     onProgress: (fraction) => call.onProgress?.({ stage: 'choosing frames', fraction }),
   });
   return { frames: onTimeLine(times, source.keyTimes, options.duration), error };
@@ -99,7 +99,7 @@ async function principalOf(
   { signal }: CallOptions,
 ): Promise<PrincipalTargets> {
   const size = source.keys.positions[0]!.length;
-  if (2 * 4 * size * times.length > MOST_HELD)
+  if (2 * 4 * size * times.length > MAX_HELD)
     throw new EngineError(
       'too-large',
       `For a shape of this size, in-betweens (principal targets) need ${times.length} frames in memory. They do not fit. ` +
@@ -124,7 +124,7 @@ async function principalOf(
       period: source.options.boundary === 'periodic' ? last - first : null,
       frames: await all(times),
       times,
-      reduce: (rows) => worker.call('principalOffsets', { frames: rows, tolerance, most: times.length }),
+      reduce: (rows) => worker.call('principalOffsets', { frames: rows, tolerance, max: times.length }),
     });
   } finally {
     worker.terminate(cancelled());

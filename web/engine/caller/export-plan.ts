@@ -1,7 +1,7 @@
 /** Times of an export, and their times on the exported animation's timeline. */
 import { bytesText } from '../api/bytes-text.ts';
 import { EngineError, invalidOption } from '../api/errors.ts';
-import { MOST_FRAMES, USUAL_FRAMES } from '../api/option-table.ts';
+import { MAX_EXPORTED_FRAMES, USUAL_FRAMES } from '../api/option-table.ts';
 import { NO_PLACE } from '../api/types.ts';
 import { SAME_FRAME, frameCount, frameTimes } from '../api/whole-frames.ts';
 import type { ExportOptions, Point, Warning } from '../api/types.ts';
@@ -14,14 +14,14 @@ const PLAYED_BYTES = { texture: 32, memory: 24, blender: 12 };
 /** Larger textures exceed the limit of many phones and integrated GPUs for one model. */
 const HEAVY_BYTES = 256e6;
 /** Layers of an array texture, at the limit of nearly all GPUs. three.js uses one per target. */
-const MOST_LAYERS = 2048;
+const MAX_LAYERS = 2048;
 
 /**
  * Limit for files that can be opened again: one weight per target and frame, and sizes up to 2^31
  * (wasm/io/gltf/gltf_writer).
  */
-export const MOST_WEIGHTS = 16_000_000;
-const MOST_GLB_BYTES = 2 ** 31 - 1;
+export const MAX_WEIGHTS = 16_000_000;
+const MAX_GLB_BYTES = 2 ** 31 - 1;
 
 /**
  * A grid time this close to a key, relative to the export's length, becomes the key's exact time, because linspace
@@ -65,9 +65,9 @@ function askedTimes({ times, frames, fps, duration }: ExportOptions, range: read
 function wholeFrames([first, last]: readonly [number, number], fps: number, duration: number | null): number[] {
   const scale = duration === null ? 1 : duration / (last - first);
   const count = duration === null ? frameCount([first, last], fps) : frameCount([0, duration], fps);
-  if (count > MOST_FRAMES)
+  if (count > MAX_EXPORTED_FRAMES)
     throw tooLarge(
-      `This would be ${grouped(count)} frames; the maximum is ${grouped(MOST_FRAMES)}. Use a shorter range or fewer frames per second.`,
+      `This would be ${grouped(count)} frames; the maximum is ${grouped(MAX_EXPORTED_FRAMES)}. Use a shorter range or fewer frames per second.`,
     );
   const times =
     duration === null
@@ -135,16 +135,16 @@ export function onTimeLine(times: number[], keyTimes: readonly number[], duratio
 }
 
 export function checkWeights(frames: number, targets: number): void {
-  if (frames * targets <= MOST_WEIGHTS) return;
+  if (frames * targets <= MAX_WEIGHTS) return;
   throw tooLarge(
     `With ${grouped(frames)} frames, the file would be too large to open here again: its ${grouped(targets)} morph targets need ` +
-      `more than ${grouped(MOST_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
+      `more than ${grouped(MAX_WEIGHTS)} weights. Export fewer frames, or an OBJ sequence.`,
   );
 }
 
 /** Refuses a GLB that is too large to open again. */
 export function checkBytes({ format }: ExportOptions, bytes: number): void {
-  if (format !== 'glb' || bytes <= MOST_GLB_BYTES) return;
+  if (format !== 'glb' || bytes <= MAX_GLB_BYTES) return;
   throw tooLarge(
     `The file would be ${(bytes / 1e9).toFixed(1)} GB, but a GLB can have at most 2.1 GB. Export fewer frames, or an OBJ sequence.`,
   );
@@ -207,11 +207,11 @@ export function exportWarnings(options: ExportOptions, targets: number, vertices
         `${bytes(PLAYED_BYTES.blender)} in Blender. To use less memory, choose a larger tolerance or fewer frames.`,
       count: targets,
     });
-  if (targets > MOST_LAYERS)
+  if (targets > MAX_LAYERS)
     warnings.push({
       ...NO_PLACE,
       code: 'many-targets',
-      message: `The animation has ${grouped(targets)} morph targets; three.js plays no more than ${grouped(MOST_LAYERS)} on most GPUs.`,
+      message: `The animation has ${grouped(targets)} morph targets; three.js plays no more than ${grouped(MAX_LAYERS)} on most GPUs.`,
       count: targets,
     });
   return warnings;

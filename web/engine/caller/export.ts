@@ -5,7 +5,7 @@
 import type { CallOptions } from '../api/api.ts';
 import { clipName } from '../api/clip-name.ts';
 import { cancelled, untilAborted } from '../api/errors.ts';
-import { thereAndBack } from './bounce.ts';
+import { pingPong } from './bounce.ts';
 import { withNote } from '../api/export-note.ts';
 import { checkBytes, exportWarnings, frameWarnings, isPointCache, localWarnings } from './export-plan.ts';
 import { movesKeys, planFrames, shapeCount } from './export-frames.ts';
@@ -14,7 +14,7 @@ import { materialFiles, materialLibrary } from './material-library.ts';
 import { PointCache } from './point-cache.ts';
 import { sliderFiles } from './slider-files.ts';
 import { targetNames } from './target-names.ts';
-import { GridFit, mostWeight, roundingError } from '../wire/position-grid.ts';
+import { GridFit, maxWeight, roundingError } from '../wire/position-grid.ts';
 import { writeProject } from '../wire/project.ts';
 import type { FrameBuffers } from '../wire/protocol.ts';
 import type { FilesWorker } from './worker-client.ts';
@@ -57,7 +57,7 @@ async function roundingOf(source: ExportSource, frames: PlannedFrames, { signal 
     if (base === positions) fit.addBase(base);
     else fit.addTarget(positions, base);
   }
-  const weight = mostWeight(frames.principal?.weights ?? null, frames.times.length);
+  const weight = maxWeight(frames.principal?.weights ?? null, frames.times.length);
   return roundingError(fit.grid, weight) / source.keys.info.report.diagonal;
 }
 
@@ -171,7 +171,7 @@ async function* writeAnimation(job: Job): AsyncGenerator<ExportedFile, void, und
   }
   const { faces, scene, offset } = source.keys.info;
   const oneWay = { seconds: frames.seconds, weights: frames.principal?.weights ?? null };
-  const { seconds, weights } = options.bounce ? thereAndBack(oneWay, shapeCount(frames) - 1) : oneWay;
+  const { seconds, weights } = options.bounce ? pingPong(oneWay, shapeCount(frames) - 1) : oneWay;
   const names = targetNames(source.keys.info.names, source.keyTimes, frames);
   const bytes = await writer.call('writeAnimation', {
     faces,

@@ -30,10 +30,10 @@ import type { ShapeClient } from './shape.ts';
 import type { ShellsWorker } from './worker-client.ts';
 
 /** Fitting a coarse mesh with more faces takes too long. */
-const MOST_COARSE = 4000;
+const MAX_COARSE = 4000;
 
 /** Largest number of keys and fitted shapes. */
-const MOST_MOTION_KEYS = 2000;
+const MAX_MOTION_KEYS = 2000;
 
 /** Progress when the starts are ready, the shapes fitted, the motion through them made, and its bending measured. */
 const STARTED = 0.3;
@@ -113,18 +113,18 @@ function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions 
 function checkCount(options: MotionOptions, keys: number): void {
   const { method, keepLengths } = options;
   const shapes = fitCount(keys, options);
-  if (keys + shapes <= MOST_MOTION_KEYS) return;
+  if (keys + shapes <= MAX_MOTION_KEYS) return;
   const count = (n: number): string => Math.floor(n).toLocaleString('en');
   const isMethod = METHOD[method].curve === 'fitted';
   const each = isMethod ? 1 : keepLengths;
   const fewer = isMethod
     ? "Use the method 'lri'"
-    : `Set keepLengths to ${count((MOST_MOTION_KEYS - keys) / (keys - 1))}`;
+    : `Set keepLengths to ${count((MAX_MOTION_KEYS - keys) / (keys - 1))}`;
   throw new EngineError(
     'too-large',
     `With ${isMethod ? `the method '${method}'` : `keepLengths ${keepLengths}`}, ${count(keys)} keys need ` +
-      `${count(shapes)} shapes between them, but a motion can have at most ${count(MOST_MOTION_KEYS)} keys and shapes ` +
-      `in all. ${fewer}, or use at most ${count((MOST_MOTION_KEYS + each) / (each + 1))} keys.`,
+      `${count(shapes)} shapes between them, but a motion can have at most ${count(MAX_MOTION_KEYS)} keys and shapes ` +
+      `in all. ${fewer}, or use at most ${count((MAX_MOTION_KEYS + each) / (each + 1))} keys.`,
   );
 }
 
@@ -198,10 +198,10 @@ class Fit {
   }
 
   private async fitLed(base: Motion, ghost: Ghost): Promise<Fitted> {
-    if (ghost.faces.length / 3 > MOST_COARSE)
+    if (ghost.faces.length / 3 > MAX_COARSE)
       throw invalidOption(
         `The shape cannot be simplified enough: its coarse mesh still has ${(ghost.faces.length / 3).toLocaleString('en')} ` +
-          `faces, and at most ${MOST_COARSE.toLocaleString('en')} can be fitted. Choose another method.`,
+          `faces, and at most ${MAX_COARSE.toLocaleString('en')} can be fitted. Choose another method.`,
       );
     const { info, positions } = this.shape.parts.keys;
     const keys: Float32Array[] = [];
@@ -210,7 +210,7 @@ class Fit {
     const coarse = { faces: ghost.faces, keys, samples: await this.samples(base, starts) };
     const { shapes, ...rest } = await this.fit(coarse);
     const leader = { faces: ghost.faces, vertexOf: ghost.ghostVertexOf, faceOf: ghost.ghostFaceOf };
-    await this.worker.call('leadShape', { faces: info.faces, keys: [...positions], leader });
+    await this.worker.call('deformationTransfer', { faces: info.faces, keys: [...positions], leader });
     const led: Float32Array[] = [];
     for (const { time, key } of this.times) {
       if (key >= 0) {

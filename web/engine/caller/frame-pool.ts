@@ -3,7 +3,7 @@ import type { FrameBuffers, FrameData } from '../wire/protocol.ts';
 import type { Frame } from '../api/types.ts';
 
 /** Enough buffers for the look-ahead and the shown frames. The garbage collector takes further buffers. */
-const MOST_SPARES = 12;
+const MAX_SPARES = 12;
 
 export class FramePool {
   private readonly spares: FrameBuffers[] = [];
@@ -19,7 +19,7 @@ export class FramePool {
     const release = (): void => {
       // Arrays that the receiver has transferred elsewhere cannot be reused.
       const whole = buffers && buffers.positions.length > 0 && buffers.normals.length > 0;
-      if (buffers && whole && this.spares.length < MOST_SPARES) this.spares.push(buffers);
+      if (buffers && whole && this.spares.length < MAX_SPARES) this.spares.push(buffers);
       buffers = null;
     };
     return { t, positions, normals, ms, threads, indefiniteFaces, indefiniteFace, release };

@@ -25,7 +25,7 @@ import type {
   ShapePlane,
   Warning,
 } from '../api/types.ts';
-import type { AskedOf, QUESTIONS, QuestionName } from '../wire/calls.ts';
+import type { QueryInput, QUERIES, QueryName } from '../wire/calls.ts';
 import type { FrameBuffers, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import type { ExportSource } from './export-source.ts';
 import { FramePool } from './frame-pool.ts';
@@ -37,10 +37,10 @@ interface Shown {
   supersede(): void;
 }
 
-/** The questions about a motion. */
-type MotionQuestion = {
-  [N in QuestionName]: (typeof QUESTIONS)[N]['of'] extends 'motion' ? N : never;
-}[QuestionName];
+/** The queries about a motion. */
+type MotionQuery = {
+  [N in QueryName]: (typeof QUERIES)[N]['of'] extends 'motion' ? N : never;
+}[QueryName];
 
 /** Longest delay of a frame by measures, unless a single measure takes longer. */
 const AT_ONCE_MS = 10;
@@ -120,8 +120,8 @@ export class MotionClient implements Motion {
     const measures: Measures = { times: checked, volume: [], area: [], sliding: [] };
     const motion = await this.settled();
     for (let done = 0; done < checked.length; done = measures.volume.length) {
-      const rest = { motion, times: checked.slice(done), mostMs: AT_ONCE_MS };
-      const next = this.shape.question('measure', () => rest);
+      const rest = { motion, times: checked.slice(done), maxMs: AT_ONCE_MS };
+      const next = this.shape.query('measure', () => rest);
       const { volume, area, sliding } = await untilAborted(call?.signal, next);
       measures.volume.push(...volume);
       measures.area.push(...area);
@@ -225,9 +225,9 @@ export class MotionClient implements Motion {
   }
 
   /** Asks about the motion that is current when the request is sent. */
-  private async ask<N extends MotionQuestion>(name: N, asked: AskedOf<N>): Promise<ResultOf<N>> {
+  private async ask<N extends MotionQuery>(name: N, asked: QueryInput<N>): Promise<ResultOf<N>> {
     this.checkAlive();
-    return this.shape.question(name, () => ({ ...asked, motion: this.spec }) as RequestOf<N>);
+    return this.shape.query(name, () => ({ ...asked, motion: this.spec }) as RequestOf<N>);
   }
 
   /** Requests a frame; null if a newer request replaces it. */

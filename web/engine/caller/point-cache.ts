@@ -1,7 +1,7 @@
 /** Point caches: the vertices of every frame, for programs that animate a mesh with them (Mesh Cache in Blender). */
 import { EngineError } from '../api/errors.ts';
 
-const MOST_BYTES = 2 ** 31 - 1;
+const MAX_BYTES = 2 ** 31 - 1;
 const PC2_HEADER = 32;
 
 /**
@@ -18,7 +18,7 @@ export class PointCache {
     const samples = seconds.length;
     const header = format === 'pc2' ? PC2_HEADER : 8 + 4 * samples;
     const length = header + 12 * points * samples;
-    if (length > MOST_BYTES)
+    if (length > MAX_BYTES)
       throw new EngineError(
         'too-large',
         `The point cache would be ${(length / 1e9).toFixed(1)} GB, but it can have at most 2.1 GB. Export fewer frames.`,

@@ -72,7 +72,7 @@ function normalOffsets(rest: readonly Float32Array[], { count, weights }: Offset
 
 const plus = (a: Float32Array, b: Float32Array): Float32Array => a.map((value, i) => value + b[i]!);
 
-interface Asked {
+interface TargetsInput {
   keys: readonly FrameBuffers[];
   keyTimes: readonly number[];
   period: number | null;
@@ -88,7 +88,7 @@ export async function principalTargets({
   frames,
   times,
   reduce,
-}: Asked): Promise<PrincipalTargets> {
+}: TargetsInput): Promise<PrincipalTargets> {
   const hats = times.map((t) => keyWeights(keyTimes, period, t));
   const rest = (part: keyof FrameBuffers): Float32Array[] =>
     frames.map((frame, i) =>

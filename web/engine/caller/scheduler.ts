@@ -15,7 +15,7 @@ export interface Task {
 }
 
 /** Number of more urgent tasks that can pass a waiting one. */
-const MOST_PASSED = 4;
+const MAX_PASSED = 4;
 
 export class Scheduler {
   private waiting: Task[] = [];
@@ -58,7 +58,7 @@ export class Scheduler {
 
   private next(): void {
     if (this.busy) return;
-    const late = this.waiting.findIndex((task) => this.passedBy(task) >= MOST_PASSED);
+    const late = this.waiting.findIndex((task) => this.passedBy(task) >= MAX_PASSED);
     const [task] = this.waiting.splice(Math.max(late, 0), 1);
     if (!task) return;
     for (const other of this.waiting)

@@ -6,12 +6,12 @@ import { checkCall, checkUpdate } from '../api/options.ts';
 import { MOTION_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
 import type { CoreCallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
-import { QUESTIONS, type QuestionName } from '../wire/calls.ts';
+import { QUERIES, type QueryName } from '../wire/calls.ts';
 import type { ExportSource } from './export-source.ts';
 import type { FittedMotion } from './fitted-motion.ts';
 import { KeyArrays } from './keyframes.ts';
 import { MotionClient } from './motion.ts';
-import { orderBeside } from './order-beside.ts';
+import { orderInParallel } from './parallel-ordering.ts';
 import { Scheduler, urgency } from './scheduler.ts';
 import type { MeasuredMesh } from './shell-bending.ts';
 import type { CoreWorker, ShellsWorker, WorkerCall } from './worker-client.ts';
@@ -88,19 +88,19 @@ export class ShapeClient implements Shape {
   }
 
   async stats(): Promise<SequenceStats> {
-    return this.question('stats', () => ({}));
+    return this.query('stats', () => ({}));
   }
 
   async patches(): Promise<Int32Array> {
-    return (await this.question('patches', () => ({}))).patchOf;
+    return (await this.query('patches', () => ({}))).patchOf;
   }
 
   async components(): Promise<Int32Array> {
-    return (await this.question('components', () => ({}))).componentOf;
+    return (await this.query('components', () => ({}))).componentOf;
   }
 
   async ghost(): Promise<Ghost | null> {
-    const ghost = await this.question('ghost', () => ({}));
+    const ghost = await this.query('ghost', () => ({}));
     return ghost.faces.length > 0 ? ghost : null;
   }
 
@@ -122,10 +122,10 @@ export class ShapeClient implements Shape {
     if (this.over) throw disposed('shape');
   }
 
-  /** Sends a question through the queue. */
-  async question<N extends QuestionName>(name: N, request: () => RequestOf<N>): Promise<ResultOf<N>> {
+  /** Sends a query through the queue. */
+  async query<N extends QueryName>(name: N, request: () => RequestOf<N>): Promise<ResultOf<N>> {
     this.checkAlive();
-    return this.scheduler.run(urgency[QUESTIONS[name].urgency], () => this.ask(name, request()));
+    return this.scheduler.run(urgency[QUERIES[name].urgency], () => this.ask(name, request()));
   }
 
   /**
@@ -147,7 +147,7 @@ export class ShapeClient implements Shape {
    */
   private async makeWithLri(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
     const { workerBeside } = this.parts;
-    const beside = workerBeside && orderBeside(workerBeside(), encodeRequest(this.parts));
+    const beside = workerBeside && orderInParallel(workerBeside(), encodeRequest(this.parts));
     const cancel = (): void => this.client.terminate(cancelled());
     call?.signal?.addEventListener('abort', cancel, { once: true });
     try {

@@ -11,7 +11,7 @@ import type { ShapeClient } from './shape.ts';
 import type { ShellsWorker } from './worker-client.ts';
 
 /** Largest mesh that is measured as it is, and size of the coarse mesh of others. */
-const MOST_FACES = 1000;
+const MAX_FACES = 1000;
 /** Steps of the second differences per range. */
 const STEPS = 24;
 /** Share of a coarse mesh in the progress. */
@@ -107,10 +107,10 @@ async function coarseMesh(
   call: CallOptions & { onProgress: Report },
 ): Promise<MeasuredMesh> {
   const { faces } = keys.info;
-  if (faces.length / 3 <= MOST_FACES) return { faces, keys: keys.positions, shapeOf: (positions) => positions.slice() };
+  if (faces.length / 3 <= MAX_FACES) return { faces, keys: keys.positions, shapeOf: (positions) => positions.slice() };
   const led = await encode(
     keys,
-    { ...ENCODING_DEFAULTS, ghostFaces: MOST_FACES, placement: 'vertices' },
+    { ...ENCODING_DEFAULTS, ghostFaces: MAX_FACES, placement: 'vertices' },
     { ...call, onProgress: partOf(call.onProgress, 0, 0.2) },
   );
   try {

@@ -2,13 +2,13 @@
 import type { PlannedFrames } from './export-source.ts';
 
 /** Blender's limit for shape key names, in bytes. */
-const MOST_BYTES = 63;
+const MAX_BYTES = 63;
 
 /** The name followed by the time, with the name shortened to fit. */
 function named(name: string, at: string): string {
   const bytes = (text: string): number => new TextEncoder().encode(text).length;
   const letters = [...name];
-  while (letters.length > 0 && bytes(`${letters.join('')} ${at}`) > MOST_BYTES) letters.pop();
+  while (letters.length > 0 && bytes(`${letters.join('')} ${at}`) > MAX_BYTES) letters.pop();
   return `${letters.join('')} ${at}`;
 }
 

@@ -6,7 +6,7 @@
 import { engineError, type EngineError } from '../api/errors.ts';
 import type { BrowserFiles, StartedWorker } from '../caller/browser-files.ts';
 import { inlinedWorker } from './inlined-worker.ts';
-import { PatientWorker } from '../caller/patient-worker.ts';
+import { FallbackWorker } from '../caller/fallback-worker.ts';
 import { trustedAddress } from './trusted-address.ts';
 
 const beside = {
@@ -45,9 +45,10 @@ export const files: BrowserFiles = {
   }),
   startWorker(name, loaded, given) {
     listenToPolicy();
-    const ways = given || !inlinedWorker ? waysFrom(given ?? required(beside.worker, 'workerUrl')) : inlinedWays();
-    return new PatientWorker(
-      ways.map((address) => () => start(address(), name)),
+    const methods =
+      given || !inlinedWorker ? methodsFrom(given ?? required(beside.worker, 'workerUrl')) : inlinedMethods();
+    return new FallbackWorker(
+      methods.map((address) => () => start(address(), name)),
       loaded,
     );
   },
@@ -61,14 +62,14 @@ const start = (address: string, name: string): StartedWorker =>
  * A worker's script must have the page's origin, so a small local script imports a foreign one. A frame sandboxed
  * without allow-same-origin has an opaque origin: its `blob:` URLs count as foreign, but `data:` works.
  */
-function waysFrom(url: URL): (() => string)[] {
+function methodsFrom(url: URL): (() => string)[] {
   const text = `import ${JSON.stringify(url.href)};`;
   const importing = [() => blobAddress(text), () => dataAddress(text)];
   return url.origin === globalThis.origin ? [() => url.href, ...importing] : importing;
 }
 
 /** Some sites refuse `blob:`, but may accept the file next to the script. */
-function inlinedWays(): (() => string)[] {
+function inlinedMethods(): (() => string)[] {
   const text = inlinedWorker ?? '';
   return [() => blobAddress(text), () => beside.worker().href, () => dataAddress(text)];
 }

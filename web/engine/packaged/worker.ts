@@ -7,7 +7,7 @@ import createFiles from '../../../build/wasm/shapespline_files.mjs';
 import { startShells } from '../worker/start-shells.ts';
 import createThreaded from '../../../build/wasm/shapespline_threads.mjs';
 import type { Locked, Ready, ToWorker, WorkerFiles } from '../wire/protocol.ts';
-import { holdLock } from '../wire/worker-lock.ts';
+import { acquireLock } from '../wire/worker-lock.ts';
 import { decoder } from '../worker/decompress.ts';
 import { RequestHandler } from '../worker/request-handler.ts';
 import { help, type SecondThreadStart } from '../worker/second-thread.ts';
@@ -40,7 +40,7 @@ function serve(): void {
     handler.receive(data);
   });
   self.postMessage({ type: 'ready' } satisfies Ready);
-  if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
+  if (self.name) acquireLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
 }
 
 async function fetchDraco(url: string | undefined): Promise<Uint8Array> {

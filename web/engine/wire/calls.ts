@@ -1,5 +1,5 @@
 /**
- * The questions that the core answers: plain data in, plain data out. A question needs only one line here between its
+ * The queries that the core answers: plain data in, plain data out. A query needs only one line here between its
  * binding (wasm/bindings) and its method.
  */
 import type {
@@ -17,27 +17,27 @@ import type {
 /** Urgency of a request: shown before ahead, and ahead before exports and measures. */
 export type Urgency = 'shown' | 'ahead' | 'batch';
 
-interface Question<Of, Asked, Answer> {
+interface Query<Of, Input, Answer> {
   /** The wasm module's function, which takes a handle and JSON. */
   symbol: string;
   of: Of;
   urgency: Urgency;
   /** Never set at run time; carries the types. */
-  types?: (asked: Asked) => Answer;
+  types?: (input: Input) => Answer;
 }
 
-const ofMotion = <Asked extends object, Answer>(
+const ofMotion = <Input extends object, Answer>(
   symbol: string,
   urgency: Urgency = 'shown',
-): Question<'motion', Asked, Answer> => ({ symbol, of: 'motion', urgency });
+): Query<'motion', Input, Answer> => ({ symbol, of: 'motion', urgency });
 
-const ofShape = <Asked extends object, Answer>(symbol: string): Question<'shape', Asked, Answer> => ({
+const ofShape = <Input extends object, Answer>(symbol: string): Query<'shape', Input, Answer> => ({
   symbol,
   of: 'shape',
   urgency: 'shown',
 });
 
-export const QUESTIONS = {
+export const QUERIES = {
   /** `shape`: positions of another motion's shape at the only time, which is placed in the plane instead. */
   plane: ofMotion<{ times: number[]; shape: Float32Array | null }, ShapePlane>('_shapespline_plane'),
   discretePath: ofMotion<{ samples: number }, DiscretePath>('_shapespline_discrete_path'),
@@ -47,8 +47,8 @@ export const QUESTIONS = {
   motionSpeed: ofMotion<{ times: number[] }, MotionSpeed>('_shapespline_motion_speed', 'batch'),
   bending: ofMotion<{ times: number[] }, { energy: number[] }>('_shapespline_bending'),
   ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
-  /** Measures at least one of these times, and more of them within `mostMs`. */
-  measure: ofMotion<{ times: number[]; mostMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
+  /** Measures at least one of these times, and more of them within `maxMs`. */
+  measure: ofMotion<{ times: number[]; maxMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
   /** The component of each face; -1 without area. */
   components: ofShape<object, { componentOf: Int32Array }>('_shapespline_components'),
   patches: ofShape<object, { patchOf: Int32Array }>('_shapespline_patches'),
@@ -56,6 +56,6 @@ export const QUESTIONS = {
   stats: ofShape<object, Omit<SequenceStats, 'threads' | 'heapBytes'>>('_shapespline_stats'),
 };
 
-export type QuestionName = keyof typeof QUESTIONS;
-export type AskedOf<N extends QuestionName> = Parameters<NonNullable<(typeof QUESTIONS)[N]['types']>>[0];
-export type AnswerOf<N extends QuestionName> = ReturnType<NonNullable<(typeof QUESTIONS)[N]['types']>>;
+export type QueryName = keyof typeof QUERIES;
+export type QueryInput<N extends QueryName> = Parameters<NonNullable<(typeof QUERIES)[N]['types']>>[0];
+export type QueryResult<N extends QueryName> = ReturnType<NonNullable<(typeof QUERIES)[N]['types']>>;

@@ -55,7 +55,7 @@ export function roundingError({ scale }: PositionGrid, weight: number): number {
 }
 
 /** Largest sum of an animation's weights at any time; null: one target at a time. */
-export function mostWeight(weights: Float32Array | null, times: number): number {
+export function maxWeight(weights: Float32Array | null, times: number): number {
   if (!weights) return 1;
   const targets = weights.length / times;
   let most = 0;

@@ -2,7 +2,7 @@
  * Messages between the engine and its workers: plain data, one union in each direction. A worker answers every request
  * exactly once, in order, and reports progress in between.
  */
-import type { AnswerOf, AskedOf, QUESTIONS, QuestionName } from './calls.ts';
+import type { QueryResult, QueryInput, QUERIES, QueryName } from './calls.ts';
 import type { SharedOrder } from './shared-order.ts';
 import type { ErrorData } from '../api/errors.ts';
 import type {
@@ -56,16 +56,16 @@ export interface FrameData extends FrameBuffers {
 
 export type Compression = ExportOptions['compression'];
 
-/** Request and result of questions about the shape or one of its motions. */
-type Questions = {
-  [N in QuestionName]: {
-    request: AskedOf<N> & ((typeof QUESTIONS)[N]['of'] extends 'motion' ? { motion: MotionSpec } : object);
-    result: AnswerOf<N>;
+/** Request and result of queries about the shape or one of its motions. */
+type Queries = {
+  [N in QueryName]: {
+    request: QueryInput<N> & ((typeof QUERIES)[N]['of'] extends 'motion' ? { motion: MotionSpec } : object);
+    result: QueryResult<N>;
   };
 };
 
 /** Calls of a worker with the core. */
-export interface CoreCalls extends Omit<Questions, 'stats'> {
+export interface CoreCalls extends Omit<Queries, 'stats'> {
   /** Checks keys that were not read from files. */
   report: {
     request: Pick<KeysInfo, 'names' | 'faces' | 'times'> & Omit<KeyData, 'info'>;
@@ -95,7 +95,7 @@ export interface FileCalls {
   };
   /** Leading components of offsets (3 x vertices each): the fewest whose weighted sums are within the tolerance. */
   principalOffsets: {
-    request: { frames: Float32Array[]; tolerance: number; most: number };
+    request: { frames: Float32Array[]; tolerance: number; max: number };
     result: { count: number; offsets: Float32Array; weights: Float32Array; largest: number };
   };
   /** Adds a frame of the animation to write: first the shown frames, then the stills. */
@@ -152,7 +152,7 @@ export interface ShellCalls {
     result: { shapes: Float32Array[]; failed: number[]; stiff: number[]; finished: boolean };
   };
   /** Prepares the transfer from a coarse mesh to a full shape. */
-  leadShape: {
+  deformationTransfer: {
     request: {
       faces: Uint32Array;
       keys: Float32Array[];

@@ -11,7 +11,7 @@ const held: IDBDatabase[] = [];
  * Called in the worker. Holds the lock for the worker's lifetime and calls `taken` once it has the lock. Pages without
  * storage access, such as sandboxed frames, have no locks, so their workers' ends are not detected.
  */
-export function holdLock(name: string, taken: () => void): void {
+export function acquireLock(name: string, taken: () => void): void {
   try {
     hold(name, taken);
   } catch {

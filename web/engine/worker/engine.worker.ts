@@ -1,6 +1,6 @@
 /** The browser's worker. */
 import createWasm from '../../../build/wasm/shapespline.mjs';
-import { holdLock } from '../wire/worker-lock.ts';
+import { acquireLock } from '../wire/worker-lock.ts';
 import { codecs } from './codecs.ts';
 import { decoder } from './decompress.ts';
 import type { Locked, Ready, ToWorker } from '../wire/protocol.ts';
@@ -28,6 +28,6 @@ const handler = new RequestHandler({
   decode: decoder(codecs, dracoWasm),
   codecs,
 });
-if (self.name) holdLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
+if (self.name) acquireLock(self.name, () => self.postMessage({ type: 'locked' } satisfies Locked));
 self.addEventListener('message', ({ data }: MessageEvent<ToWorker>) => handler.receive(data));
 self.postMessage({ type: 'ready' } satisfies Ready);

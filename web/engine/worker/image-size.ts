@@ -11,11 +11,11 @@ export interface Size {
 }
 
 /** Largest number of pixels of one decoded image: 8,192 x 8,192, 256 MB. */
-export const MOST_PIXELS = 2 ** 26;
+export const MAX_PIXELS = 2 ** 26;
 /** Larger sides are scaled down, which is invisible on a screen. */
 export const LARGEST_SIDE = 4096;
 /** Largest total number of pixels kept for drawing. */
-export const MOST_PIXELS_KEPT = 2 ** 27;
+export const MAX_PIXELS_KEPT = 2 ** 27;
 
 export function imageSize(bytes: Uint8Array): Size | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -72,7 +72,7 @@ export function drawnImages(
 ): { images: TextureImage[]; warnings: Warning[] } {
   const used = new Set(materials.map(({ baseColorImage }) => baseColorImage));
   const refused = { 'large-texture': 0, 'unknown-texture': 0 };
-  let left = MOST_PIXELS_KEPT;
+  let left = MAX_PIXELS_KEPT;
   const planned = images.map((image, index) => {
     if (!used.has(index)) return { ...image, scale: 0 };
     const size = imageSize(image.bytes);
@@ -93,13 +93,13 @@ export function drawnImages(
 }
 
 function scaleOf({ width, height }: Size): number {
-  return width * height > MOST_PIXELS ? 0 : Math.min(1, LARGEST_SIDE / Math.max(width, height));
+  return width * height > MAX_PIXELS ? 0 : Math.min(1, LARGEST_SIDE / Math.max(width, height));
 }
 
 function warning(code: string, count: number): Warning {
   const what =
     code === 'large-texture'
-      ? `textures of more than ${Math.round(MOST_PIXELS / 1e6)} million pixels, and those that exceed ${Math.round(MOST_PIXELS_KEPT / 1e6)} million in total,`
+      ? `textures of more than ${Math.round(MAX_PIXELS / 1e6)} million pixels, and those that exceed ${Math.round(MAX_PIXELS_KEPT / 1e6)} million in total,`
       : 'textures that are cut off, or in a format that browsers cannot read,';
   return {
     ...NO_PLACE,

@@ -6,7 +6,7 @@ import type { NewSpace, WasmCore } from './wasm-core.ts';
  * Limit for kept motions, more than any page shows. The least recently used motions are dropped, and recreated on
  * request.
  */
-const MOST = 16;
+const MAX_MOTIONS = 16;
 
 export class Motions {
   /** Handles by number, most recently used last. */
@@ -21,7 +21,7 @@ export class Motions {
     this.drop(core, spec);
     this.handles.set(spec.number, handle);
     const [oldest] = this.handles.keys();
-    if (this.handles.size > MOST) this.forget(core, oldest!);
+    if (this.handles.size > MAX_MOTIONS) this.forget(core, oldest!);
     return state;
   }
 

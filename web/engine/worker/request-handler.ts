@@ -11,9 +11,9 @@ import {
 } from '../api/errors.ts';
 import type { CallName, CoreCallName, FromWorker, Program, Request, ResultOf, ToWorker } from '../wire/protocol.ts';
 import type { Codecs } from './codecs.ts';
-import type { Answers } from './answers.ts';
-import { CoreAnswers } from './core-answers.ts';
-import { fileAnswers } from './file-answers.ts';
+import type { Handlers } from './handlers.ts';
+import { CoreHandlers } from './core-handlers.ts';
+import { fileHandlers } from './file-handlers.ts';
 import type { Decode } from './import-files.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import type { OnProgress } from './wasm-calls.ts';
@@ -28,8 +28,8 @@ export interface HandlerHost {
   createThreaded(): Promise<CreateWasmModule<CoreModule>>;
   /** The glue of the module for files. */
   createFiles(): Promise<CreateWasmModule<FilesModule>>;
-  /** The glue and answers of the module for fitted motions. */
-  startShells(module: WebAssembly.Module): Promise<Partial<Answers<CallName>>>;
+  /** The glue and handlers of the module for fitted motions. */
+  startShells(module: WebAssembly.Module): Promise<Partial<Handlers<CallName>>>;
   /** Starts a second thread. Nothing waits for a thread that never becomes ready. */
   startSecondThread(start: SecondThreadStart, onReady: () => void): void;
   /** Decodes mesh compression that the core does not support, before the core reads the files. */
@@ -39,28 +39,28 @@ export interface HandlerHost {
 }
 
 export class RequestHandler {
-  private answers: Promise<Partial<Answers<CallName>>> | null = null;
+  private handlers: Promise<Partial<Handlers<CallName>>> | null = null;
   private tail: Promise<void> = Promise.resolve();
 
   constructor(private readonly host: HandlerHost) {}
 
   receive(message: ToWorker): void {
     if (message.type === 'start') {
-      this.answers = this.start(message).catch((reason: unknown) => {
+      this.handlers = this.start(message).catch((reason: unknown) => {
         throw reason instanceof WebAssembly.LinkError ? mismatch(reason) : reason;
       });
-      this.answers.catch(() => undefined); // The first request reports this error.
+      this.handlers.catch(() => undefined); // The first request reports this error.
       return;
     }
     this.tail = this.tail.then(() => this.serve(message));
   }
 
-  private async start({ kind, module, threaded }: Program): Promise<Partial<Answers<CallName>>> {
+  private async start({ kind, module, threaded }: Program): Promise<Partial<Handlers<CallName>>> {
     const { create, decode, codecs } = this.host;
     if (kind === 'shells') return this.host.startShells(module);
-    if (kind === 'files') return fileAnswers(await this.startFiles(module), decode, codecs);
+    if (kind === 'files') return fileHandlers(await this.startFiles(module), decode, codecs);
     const core = threaded && (await this.startThreaded(threaded).catch(() => null));
-    return core ?? new CoreAnswers(await WasmCore.start(create, module)).table();
+    return core ?? new CoreHandlers(await WasmCore.start(create, module)).table();
   }
 
   private async startFiles(module: WebAssembly.Module): Promise<WasmFiles> {
@@ -70,22 +70,22 @@ export class RequestHandler {
     return WasmFiles.start(create, module);
   }
 
-  private async startThreaded(compiled: WebAssembly.Module): Promise<Answers<CoreCallName>> {
+  private async startThreaded(compiled: WebAssembly.Module): Promise<Handlers<CoreCallName>> {
     const core = await WasmCore.start(await this.host.createThreaded(), compiled);
-    const answers = new CoreAnswers(core);
+    const handlers = new CoreHandlers(core);
     const start = core.secondThreadStart(compiled);
-    if (start) this.host.startSecondThread(start, answers.useSecondThread);
-    return answers.table();
+    if (start) this.host.startSecondThread(start, handlers.useSecondThread);
+    return handlers.table();
   }
 
   private async serve(request: Request): Promise<void> {
     const { type, id } = request;
     const report: OnProgress = (stage, fraction) => this.host.post({ type: 'progress', id, stage, fraction }, []);
     try {
-      const answers = await this.answers;
-      if (!answers) throw crashed('the worker was not started');
+      const handlers = await this.handlers;
+      if (!handlers) throw crashed('the worker was not started');
       // Request and answer belong to the same name, but the compiler cannot follow this through the table.
-      const value = await (answers[type] as (request: Request, report: OnProgress) => ResultOf<CallName>)(
+      const value = await (handlers[type] as (request: Request, report: OnProgress) => ResultOf<CallName>)(
         request,
         report,
       );

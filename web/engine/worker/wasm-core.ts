@@ -3,11 +3,11 @@ import { outOfMemory } from '../api/errors.ts';
 import type { MeshReport } from '../api/types.ts';
 import type { SecondThreadStart } from './second-thread.ts';
 import { readFloats, type Range } from './heap.ts';
-import { QUESTIONS, type AnswerOf, type AskedOf, type QuestionName } from '../wire/calls.ts';
+import { QUERIES, type QueryResult, type QueryInput, type QueryName } from '../wire/calls.ts';
 import type { FrameBuffers, FrameData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import { awaitedOrder, type SharedOrder } from '../wire/shared-order.ts';
 import { WasmCalls, type OnProgress } from './wasm-calls.ts';
-import type { Address, CoreModule, QuestionFunctions } from './wasm-module.ts';
+import type { Address, CoreModule, QueryFunctions } from './wasm-module.ts';
 
 interface FrameResult {
   positions: Range;
@@ -81,10 +81,10 @@ export class WasmCore extends WasmCalls<CoreModule> {
     return this.send(request, (address) => this.module._shapespline_motion(shape, address));
   }
 
-  /** The answer to a question about the shape or the motion with this handle. */
-  ask<N extends QuestionName>(name: N, handle: number, request: AskedOf<N>): AnswerOf<N> {
-    const functions = this.module as unknown as QuestionFunctions;
-    return this.send(request, (address) => functions[QUESTIONS[name].symbol]!(handle, address));
+  /** The answer to a query about the shape or the motion with this handle. */
+  ask<N extends QueryName>(name: N, handle: number, request: QueryInput<N>): QueryResult<N> {
+    const functions = this.module as unknown as QueryFunctions;
+    return this.send(request, (address) => functions[QUERIES[name].symbol]!(handle, address));
   }
 
   /** Fills `buffers` if given and of the right size. */

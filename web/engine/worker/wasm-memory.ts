@@ -2,7 +2,7 @@
 
 const PAGE = 2 ** 16;
 const MEMORY_SECTION = 5;
-const HAS_MOST = 1;
+const HAS_MAX = 1;
 
 /** An unsigned LEB128 number, and the position of the next byte. */
 function readNumber(bytes: Uint8Array, at: number): { value: number; next: number } {
@@ -32,7 +32,7 @@ export function withMemoryLimit(module: Uint8Array, bytes: number): Uint8Array {
     if (id === MEMORY_SECTION) {
       const flags = readNumber(limited, readNumber(limited, size.next).next);
       const least = readNumber(limited, flags.next);
-      if ((flags.value & HAS_MOST) === 0) return limited;
+      if ((flags.value & HAS_MAX) === 0) return limited;
       const most = readNumber(limited, least.next);
       const wanted = Math.max(Math.ceil(bytes / PAGE), least.value);
       writeNumber(limited, Math.min(wanted, most.value), least.next, most.next);

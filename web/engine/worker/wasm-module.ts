@@ -10,8 +10,8 @@ export interface JsImports {
   takeOrder?: (order: Address, unknowns: number) => boolean;
 }
 
-/** The functions of the questions (wire/calls.ts), by their symbols. Each takes a handle and JSON. */
-export type QuestionFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
+/** The functions of the queries (wire/calls.ts), by their symbols. Each takes a handle and JSON. */
+export type QueryFunctions = Readonly<Record<string, (handle: number, request: Address) => Address>>;
 
 /** Common interface of all modules. */
 export interface WasmModule extends JsImports {
@@ -51,7 +51,7 @@ export interface FilesModule extends WasmModule {
 
 export interface ShellsModule extends WasmModule {
   _shapespline_fit_shells(request: Address): Address;
-  _shapespline_lead_shape(request: Address): Address;
+  _shapespline_deformation_transfer(request: Address): Address;
   _shapespline_follow(handle: number, request: Address): Address;
   _shapespline_shell_bending(request: Address): Address;
 }

@@ -16,9 +16,11 @@ export class WasmShells extends WasmCalls<ShellsModule> {
   }
 
   /** Prepares the shape that `follow` corrects. */
-  lead(request: RequestOf<'leadShape'>): void {
+  lead(request: RequestOf<'deformationTransfer'>): void {
     this.release(this.led);
-    this.led = this.send<{ handle: number }>(request, (address) => this.module._shapespline_lead_shape(address)).handle;
+    this.led = this.send<{ handle: number }>(request, (address) =>
+      this.module._shapespline_deformation_transfer(address),
+    ).handle;
   }
 
   follow(request: RequestOf<'follow'>): Float32Array {

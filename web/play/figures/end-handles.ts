@@ -2,7 +2,7 @@
 import { clamp } from '../../model/time-scale.ts';
 import { ENDS, createEndHandle } from '../../plots/end-handle.ts';
 import type { End } from '../../plots/end-handle.ts';
-import { MOST_SPEED } from '../state.ts';
+import { MAX_SPEED } from '../state.ts';
 import type { PlayState } from '../state.ts';
 import type { Box } from './plot.ts';
 
@@ -19,7 +19,7 @@ const HANDLE = 1 / 2;
 
 export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, speed: number) => void): EndHandles {
   let speeds: Record<End, number> = { start: 1, end: 1 };
-  const setSpeed = (end: End, speed: number): void => onSpeed(end, clamp(speed, 0, MOST_SPEED));
+  const setSpeed = (end: End, speed: number): void => onSpeed(end, clamp(speed, 0, MAX_SPEED));
   const events = {
     label: (end: End) => (end === 'start' ? 'Speed at the first key' : 'Speed at the last key'),
     words: (speed: number) => speed.toFixed(2),
@@ -29,7 +29,7 @@ export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, spe
       if (step === undefined) return;
       event.preventDefault();
       // Several key presses can arrive before the page is redrawn. Each continues from the last requested value.
-      speeds = { ...speeds, [end]: clamp(speeds[end] + step * (event.shiftKey ? 10 : 1), 0, MOST_SPEED) };
+      speeds = { ...speeds, [end]: clamp(speeds[end] + step * (event.shiftKey ? 10 : 1), 0, MAX_SPEED) };
       onSpeed(end, speeds[end]);
     },
     onReset: (end: End) => onSpeed(end, 1),
@@ -48,7 +48,7 @@ export function createEndHandles(picture: SVGSVGElement, onSpeed: (end: End, spe
         const [from, to] = ways[end] as [Point, Point];
         const unit: Point = [(to[0] - from[0]) * HANDLE, (to[1] - from[1]) * HANDLE];
         handles[end].place(on ? { from, unit, ...box } : null);
-        handles[end].setSpeed(on ? speeds[end] : null, MOST_SPEED);
+        handles[end].setSpeed(on ? speeds[end] : null, MAX_SPEED);
       }
     },
   };

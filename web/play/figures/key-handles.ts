@@ -8,14 +8,14 @@ import { number } from './words.ts';
 
 export interface KeyHandleEvents {
   onSelect(key: number): void;
-  onMove(key: number, to: KeyPlace): void;
+  onMove(key: number, to: KeyPosition): void;
   onRemove(key: number): void;
   /** Reports the start and end of dragging a key. */
   onHold(holding: boolean): void;
 }
 
 /** `along`: the time, or the second coordinate in two dimensions. */
-export interface KeyPlace {
+export interface KeyPosition {
   along: number;
   value: number;
 }
@@ -52,9 +52,9 @@ function createKeyHandle(key: number, picture: SVGSVGElement, events: KeyHandleE
     make('circle', { class: 'key', r: 7 }),
     text('key-number', 0, -14, String(key + 1)),
   );
-  let drawn: { axes: Axes; from: KeyPlace } | null = null;
+  let drawn: { axes: Axes; from: KeyPosition } | null = null;
   /** Result of earlier key presses that is not drawn yet; the next press continues from it. */
-  let pressed: KeyPlace | null = null;
+  let pressed: KeyPosition | null = null;
 
   element.addEventListener('focus', () => events.onSelect(key));
   element.addEventListener('keydown', (event) => {
@@ -111,10 +111,10 @@ function createKeyHandle(key: number, picture: SVGSVGElement, events: KeyHandleE
 
 /** Position of a key after an arrow key; null for other keys. */
 export function stepped(
-  { along, value }: KeyPlace,
+  { along, value }: KeyPosition,
   { key, shiftKey }: Pick<KeyboardEvent, 'key' | 'shiftKey'>,
   { x, y }: Axes,
-): KeyPlace | null {
+): KeyPosition | null {
   const by = { ArrowUp: [0, 1], ArrowDown: [0, -1], ArrowRight: [1, 0], ArrowLeft: [-1, 0] }[key];
   if (!by) return null;
   const scale = STEP * (shiftKey ? 10 : 1);
@@ -122,7 +122,7 @@ export function stepped(
 }
 
 /** Data units per pixel of the page, along either axis. */
-function pixelOf(picture: SVGSVGElement, { x, y }: Axes): KeyPlace {
+function pixelOf(picture: SVGSVGElement, { x, y }: Axes): KeyPosition {
   const { width } = picture.viewBox.baseVal;
   const perPixel = width / picture.getBoundingClientRect().width;
   return {

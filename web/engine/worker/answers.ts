@@ -1,7 +1,0 @@
-import type { CallName, RequestOf, ResultOf } from '../wire/protocol.ts';
-import type { OnProgress } from './wasm-calls.ts';
-
-/** The worker's answers to the calls with these names. */
-export type Answers<Names extends CallName> = {
-  [K in Names]: (request: RequestOf<K>, report: OnProgress) => ResultOf<K> | Promise<ResultOf<K>>;
-};
