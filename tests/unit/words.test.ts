@@ -17,6 +17,7 @@ it('finds a banned word in comments, strings, templates and documents, with its 
   expect(found('a.mjs', 'log(`$' + '{count} faces, so many`);')).toEqual([[1, 'so many']]);
   expect(found('a.md', 'One.\nBesides, two.')).toEqual([[2, 'Besides']]);
   expect(found('CMakeLists.txt', 'set(A 1) # anew')).toEqual([[1, 'anew']]);
+  expect(found('public/a.json', '{\n"anew": "It starts anew." }')).toEqual([[2, 'anew']]);
 });
 
 it('finds a phrase that continues on the next line of a comment', () => {
@@ -28,6 +29,7 @@ it('leaves names, paths, single words in quotes and code spans alone', () => {
   expect(found('a.ts', "const anew = hears('besides');\nconst no = 1; more();")).toEqual([]);
   expect(found('a.md', 'See `anew` and [this](docs/anew.md).')).toEqual([]);
   expect(found('a.bin', 'nobody')).toEqual([]);
+  expect(found('tests/a.json', '["for nobody else"]')).toEqual([]);
 });
 
 it('has at most 20 exceptions, each used and with a reason', () => {

@@ -1,10 +1,11 @@
-// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here, and the lint of
-// words.
+// `npm run lint` and `npm run format`: clang-format for C++, Biome for TypeScript and the scripts here, and the lints
+// of words and names.
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { nothing, sum } from './counts.mjs';
 import { run, which } from './exec.mjs';
 import { step } from './log.mjs';
+import { lintNames } from './names.mjs';
 import { inParallel } from './parallel.mjs';
 import { inRoot } from './paths.mjs';
 import { prepareSystem } from './prepare.mjs';
@@ -30,7 +31,7 @@ async function each(tools) {
 }
 
 function words() {
-  const found = lintWords();
+  const found = [...lintWords(), ...lintNames()];
   for (const one of found) process.stderr.write(`${one}\n`);
   return found.length === 0 ? { ...nothing, passed: 1 } : { ...nothing, failed: 1, names: ['words'] };
 }

@@ -5,5 +5,6 @@ export interface Banned {
 }
 export const EXCEPTIONS: { file: string; words: RegExp; why: string }[];
 export function bannedIn(file: string, source: string): Banned[];
+export function codeOf(file: string, source: string): string | null;
 export function readableFiles(): string[];
 export function lintWords(files?: string[]): string[];

@@ -37,14 +37,17 @@ const BANNED = [
 /** At most 20 uses of banned words, each with its reason. */
 export const EXCEPTIONS = [
   { file: 'wasm/toolchain/words.mjs', words: /./, why: 'names the banned words' },
+  { file: 'wasm/toolchain/names.mjs', words: /there and back/, why: 'names a banned name' },
   { file: 'tests/unit/words.test.ts', words: /./, why: 'tests the banned words' },
   { file: 'wasm/core/sparse/README.md', words: /factorise/, why: 'names a function of the solver' },
 ];
 
-const RECORDS = /fuzz\/corpus\/|^public\/samples\/|^LICENSE$/;
+const RECORDS = /fuzz\/corpus\/|^public\/samples\/(?!samples\.json$)|^LICENSE$/;
 const CODE = /\.(ts|tsx|mts|mjs|js|h|cpp|css)$/;
 const SCRIPT = /\.(py|ya?ml|cmake)$|CMakeLists\.txt$|^\.ci\//;
 const DOCUMENT = /\.(md|html|cff)$/;
+/** JSON with texts for users. Other JSON is configuration or data. */
+const DATA = /^(public\/.*\.(json|webmanifest)|package\.json)$/;
 
 const TOKEN = new RegExp(
   [
@@ -81,11 +84,18 @@ function textOfToken(token) {
 /** The readable text of a file, with everything else hidden; null for other files. */
 export function textOf(file, source) {
   if (CODE.test(file)) return keepOnly(source, TOKEN, textOfToken);
+  if (DATA.test(file)) return keepOnly(source, /"(?:[^"\\\n]|\\.)*"/g, textOfToken);
   if (SCRIPT.test(file)) return keepOnly(source, /(?<=^|\s)#.*/g);
   if (!DOCUMENT.test(file)) return null;
   return source
     .replace(/`[^`\n]+`|\]\([^)\s]*\)|<\/?\w+/g, hide)
     .replace(/\b(class|id|for|href|src|data-\w+)="[^"]*"/g, hide);
+}
+
+/** The code of a file, with comments, strings and the text of templates hidden; null for other files. */
+export function codeOf(file, source) {
+  if (!CODE.test(file) || file.endsWith('.css')) return null;
+  return source.replace(TOKEN, (token) => (token.startsWith('`') ? keepOnly(token, /(?<=\$\{)[^}]*/g) : hide(token)));
 }
 
 /** The banned words in a file's text, as { line, words, instead }. */
@@ -107,7 +117,7 @@ const isException = (file, words) => EXCEPTIONS.some((one) => one.file === file 
 export const readableFiles = () =>
   execFileSync('git', ['ls-files', '--cached', '--others', '--exclude-standard'], { cwd: root, encoding: 'utf8' })
     .split('\n')
-    .filter((file) => [CODE, SCRIPT, DOCUMENT].some((kind) => kind.test(file)) && !RECORDS.test(file))
+    .filter((file) => [CODE, SCRIPT, DOCUMENT, DATA].some((kind) => kind.test(file)) && !RECORDS.test(file))
     .filter((file) => existsSync(path.join(root, file)));
 
 /** All banned words in the covered files, one sentence each. */
