@@ -128,7 +128,7 @@ describe('lengths', () => {
       [{ boundary: 'periodic' }, "ends other than 'natural'"],
       [{ boundary: 'hermite' }, "ends other than 'natural'"],
       [{ startTangent: poses[0]! }, 'end tangents'],
-      [{ tension: [0.5, 0] }, 'tension or bias'],
+      [{ tension: [0.5, 0] }, 'tension'],
       [{ turns: [{ key: 1, turns: 1 }] }, 'full turns'],
     ] as const) {
       const failure = await failureOf(engine.createSequence(keys, { ...options, method: 'lengths' } as object));

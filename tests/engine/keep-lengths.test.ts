@@ -107,13 +107,9 @@ describe('kept lengths', () => {
     expect((await failureOf(kept.evaluateBlend([0.5, 0.5]))).code).toBe('invalid-option');
   });
 
-  it('are ignored by other methods', async () => {
-    const keys = await sheet(4);
-    const [with3, without] = [
-      await engine.createSequence(keys, { method: 'linear', keepLengths: 3 }),
-      await engine.createSequence(keys, { method: 'linear' }),
-    ];
-    expect((await frameAt(with3, 0.3)).positions).toEqual((await frameAt(without, 0.3)).positions);
+  it('are refused by other methods', async () => {
+    const made = engine.createSequence(await sheet(4), { method: 'linear', keepLengths: 3 });
+    await expect(made).rejects.toThrow("The method 'linear' does not support kept lengths. Use the method 'lri'.");
   });
 
   it("count the user's keys in warnings, and repeat the warnings about the user's keys", async () => {

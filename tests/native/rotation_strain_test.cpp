@@ -93,7 +93,7 @@ TEST_CASE("rotation-strain: unsupported options are refused") {
   };
   MotionOptions held = rotationStrain(), pinned = rotationStrain(), turned = rotationStrain();
   held.hold = true;
-  refused(held, "hold resting parts");
+  refused(held, "holding");
   pinned.pins = {{0, 0.1, -1}};
   refused(pinned, "pins");
   turned.turns = {{1, 1}};

@@ -19,9 +19,9 @@ const lengthsOf = (doc: Doc): number => {
 it('lengths can be kept with natural ends, without holding and added turns', () => {
   expect(lengthsOf(kept)).toBe(2);
   for (const [doc, why] of [
-    [setMotion(kept, { boundary: 'periodic' }), 'ends'],
-    [setMotion(kept, { hold: 'on' }), 'held'],
-    [setMotion(kept, { pins: [{ vertex: 0, radius: 0.1 }] }), 'held'],
+    [setMotion(kept, { boundary: 'periodic' }), 'boundary'],
+    [setMotion(kept, { hold: 'on' }), 'hold'],
+    [setMotion(kept, { pins: [{ vertex: 0, radius: 0.1 }] }), 'pins'],
     [setTurns(kept, 1, { turns: 1 }), 'turns'],
   ] as const) {
     expect(keepLengthsConflict(doc)).toBe(why);

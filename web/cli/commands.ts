@@ -7,7 +7,8 @@ import { ENCODING, SHAPES } from '../engine/api/option-table.ts';
 import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/api/read-poses.ts';
-import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions } from '../engine/api/types.ts';
+import { NO_PLACE } from '../engine/api/types.ts';
+import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { addInputs, readInputs } from './input.ts';
 import { KnownFiles } from './known-files.ts';
@@ -82,13 +83,16 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     const timings = new Timings();
     const inputs = await timings.time('read', readInputs(args.files));
     const keys = await timings.time('import', engine.importKeyframes(inputs, options.import));
-    const given = withProject(keys.info.project, options.sequence);
+    const left: Warning[] = [];
+    const given = withProject(keys.info.project, options.sequence, (message) =>
+      left.push({ ...NO_PLACE, code: 'option-left-out', message, count: 0 }),
+    );
     checkFit(args, given, [given.method ?? OWN_METHOD]);
     const tangents = await readTangents(engine, args, keys, options.import);
     const sequence = await timings.time('build', engine.createSequence(keys, { ...given, ...tangents }));
     const plan = await timings.time('plan', sequence.planExport(options.export));
     if (plan.bytes > LARGE) say(`writing ${output}, about ${Math.round(plan.bytes / 1e6)} MB`);
-    const warnings = [...keys.info.warnings, ...sequence.warnings, ...plan.warnings];
+    const warnings = [...keys.info.warnings, ...left, ...sequence.warnings, ...plan.warnings];
     let [files, bytes] = [0, 0];
     const beside: string[] = [];
     const exported = async function* () {

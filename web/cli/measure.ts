@@ -52,7 +52,8 @@ export async function measure(args: Arguments): Promise<Measured> {
   return withEngine(async (engine) => {
     const keys = await engine.importKeyframes(await readInputs(args.files), imported);
     // A project's own method is not measured unless it is requested.
-    const all = withProject(keys.info.project, { ...options, method: methods[0]! });
+    const left: string[] = [];
+    const all = withProject(keys.info.project, { ...options, method: methods[0]! }, (warning) => left.push(warning));
     checkFit(args, all, methods);
     const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));
@@ -67,7 +68,7 @@ export async function measure(args: Arguments): Promise<Measured> {
       against.length > 0 ? await readReference(engine, keys, await readInputs(against), imported, own) : null;
     const compared = reference && (await comparedTimes(sequence, reference, wanted, against[0]!));
     const times = compared?.times ?? (await sequence.planExport({ format: 'obj', ...wanted })).times;
-    const warnings = compared ? await comparisonWarnings(sequence, compared, reference) : [];
+    const warnings = [...left, ...(compared ? await comparisonWarnings(sequence, compared, reference) : [])];
     const columns: Column[] = [];
     const comments: string[] = reference
       ? [`# frames of the animation: ${reference.times.length}, ${reference.placed}`]

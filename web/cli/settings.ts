@@ -1,9 +1,11 @@
 /** The options of the commands, from the engine's table: names, parsing and help. */
 import { GONE_FLAGS } from '../engine/api/gone-options.ts';
-import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
+import { METHOD, METHODS } from '../engine/api/methods.ts';
 import { ENCODING, EXPORT, IMPORT, MOTION, PER_KEY, optionsIn } from '../engine/api/option-table.ts';
 import { choiceNow, validationError, listValidationError } from '../engine/api/options.ts';
 import type { KeyOption, NumberOption, Option, OptionTable } from '../engine/api/option-table.ts';
+import { RULES, settled, without, type Conflict, type RuledOption } from '../engine/api/rules.ts';
+import { MOTION_DEFAULTS } from '../engine/api/types.ts';
 import type { ExportOptions, ImportOptions, Method, SequenceOptions } from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments, type Known } from './arguments.ts';
 import * as read from './values.ts';
@@ -216,47 +218,58 @@ export function importOptions(args: Arguments): ImportOptions {
 export function sequenceOptions(args: Arguments): Partial<SequenceOptions> {
   const flags = [...motionFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape')];
   const options: Partial<SequenceOptions> = given(args, flags);
-  checkTogether(options);
+  checkTogether(options, () => true);
   return options;
 }
 
-/** The given options, and those of the project for the rest. Refuses options that cannot be combined. */
+/**
+ * The given options, and those of the project for the rest. Refuses given options that cannot be combined; inherited
+ * ones are left out, and `say` names them.
+ */
 export function withProject(
   project: Partial<SequenceOptions> | null,
   options: Partial<SequenceOptions>,
+  say: (warning: string) => void = () => undefined,
 ): Partial<SequenceOptions> {
   const all = { ...project, ...options };
-  try {
-    checkTogether(all);
-  } catch (error) {
-    if (!project) throw error;
-    const { message } = error as UsageError;
-    throw new UsageError(`${message} (the file is a project, which sets the options that are not given)`);
-  }
-  return all;
+  const isGiven = (option: RuledOption): boolean => options[option] !== undefined;
+  const note = project ? ' (the file is a project, which sets the options that are not given)' : '';
+  const left = checkTogether(all, isGiven, note);
+  for (const conflict of left) say(`${refusal(conflict, all)}, so --${ruledFlag(conflict.dropped)} is left out${note}`);
+  return without(
+    all,
+    left.map(({ dropped }) => dropped),
+  );
 }
 
-/** Refuses options that cannot be combined, by the names of their flags. */
-function checkTogether(options: Partial<SequenceOptions>): void {
-  const { method = OWN_METHOD, boundary, hold = 'off', pins = [], turns = [] } = options;
-  if (METHOD[method].curve === 'fitted') checkFitted(options, method);
-  checkKeptLengths(options);
-  if (boundary === 'hermite' && METHOD[method].curve === 'polygon')
-    throw new UsageError(
-      `--boundary hermite sets end speeds, but --method ${method} is straight from key to key and has none`,
-    );
-  if (!METHOD[method].holds && (hold !== 'off' || pins.length > 0))
-    throw new UsageError(`${pins.length > 0 ? '--pin' : '--hold'} requires --method lri`);
-  if (!METHOD[method].turns && turns.length > 0) throw new UsageError('--turns requires --method lri or geodesic');
+/** Refuses given options that cannot be combined, by the names of their flags. Returns the others that cannot. */
+function checkTogether(
+  options: Partial<SequenceOptions>,
+  isGiven: (option: RuledOption) => boolean,
+  note = '',
+): (Conflict & { dropped: RuledOption })[] {
+  const all = { ...MOTION_DEFAULTS, ...options };
+  const { refused, left } = settled(all, isGiven);
+  if (refused) throw new UsageError(refusal(refused, options) + note);
+  return left;
 }
 
-/** Refuses flags that methods with fitted shapes do not support. */
-function checkFitted({ boundary, tension = [], bias = [] }: Partial<SequenceOptions>, method: Method): void {
-  const isSet = (values: readonly number[]): boolean => values.some((value) => value !== 0);
-  const natural = (boundary ?? 'natural') === 'natural';
-  const flag = !natural ? 'boundary' : isSet(tension) ? 'tension' : isSet(bias) ? 'bias' : null;
-  if (flag) throw new UsageError(`--method ${method} has natural ends, no tension and no bias: leave out --${flag}`);
+const ruledFlag = (option: RuledOption): string => motionFlags.find(({ name }) => name === option)!.flag;
+
+/** Why an option cannot be combined with another, by flags. */
+function refusal({ option, other }: Conflict, options: Partial<SequenceOptions>): string {
+  const flag = ruledFlag(option);
+  if (other === 'keepLengths')
+    return option === 'boundary'
+      ? '--keep-lengths requires --boundary natural'
+      : `--keep-lengths cannot be combined with --${flag}`;
+  const value = option === 'boundary' ? ` ${options.boundary}` : '';
+  const fitting = METHODS.filter((method) => RULES[option].fitsMethod({ ...MOTION_DEFAULTS, ...options, method }));
+  return `--${flag}${value} requires --method ${listed(fitting)}`;
 }
+
+const listed = (words: readonly string[]): string =>
+  words.length > 1 ? `${words.slice(0, -1).join(', ')} or ${words.at(-1)}` : words.join();
 
 /** Refuses flags of fitted shapes for methods that fit none, and mixtures of keys for those that do. */
 export function checkFit(args: Arguments, options: Partial<SequenceOptions>, methods: readonly Method[]): void {
@@ -270,22 +283,6 @@ export function checkFit(args: Arguments, options: Partial<SequenceOptions>, met
     throw new UsageError(
       `--blend mixes keys, which ${kept ? '--keep-lengths' : `--method ${fitting}`} does not support`,
     );
-}
-
-/** Flags that motions with kept lengths do not take. */
-function checkKeptLengths({ method = OWN_METHOD, keepLengths = 0, ...options }: Partial<SequenceOptions>): void {
-  if (keepLengths === 0) return;
-  if (method !== OWN_METHOD) throw new UsageError(`--keep-lengths requires --method ${OWN_METHOD}`);
-  const { boundary = 'natural', hold = 'off', pins = [], turns = [] } = options;
-  const others: [boolean, string][] = [
-    [boundary !== 'natural', 'boundary'],
-    [hold !== 'off', 'hold'],
-    [pins.length > 0, 'pin'],
-    [turns.length > 0, 'turns'],
-  ];
-  const [, flag] = others.find(([isGiven]) => isGiven) ?? [];
-  if (flag === 'boundary') throw new UsageError('--keep-lengths requires --boundary natural');
-  if (flag) throw new UsageError(`--keep-lengths cannot be combined with --${flag}`);
 }
 
 export function exportOptions(args: Arguments, output: string): Partial<ExportOptions> {

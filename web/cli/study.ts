@@ -37,7 +37,8 @@ export function studyGhost(args: Arguments): Promise<Measured> {
   return run(args, async (_, engine, keys) => {
     const { faces } = keys.info.report;
     const [first, last] = [keys.info.times[0]!, keys.info.times.at(-1)!];
-    const options = withProject(keys.info.project, sequenceOptions(args));
+    const left: string[] = [];
+    const options = withProject(keys.info.project, sequenceOptions(args), (warning) => left.push(warning));
     const found = await studyGhosts(engine, keys, options, { times: studyTimes(first, last), sizes });
     const refused = sizes.filter((size) => size >= faces);
     return {
@@ -50,6 +51,7 @@ export function studyGhost(args: Arguments): Promise<Measured> {
         ...refused.map((size): Cell[] => [size, NaN, '', NaN, NaN, NaN, `the shape has only ${faces} faces`]),
       ],
       warnings: [
+        ...left,
         ...found.fits.warnings,
         ...found.rows.flatMap(({ wanted, fits }) => fits.warnings.map((one) => `${wanted} faces: ${one}`)),
       ],

@@ -1,5 +1,6 @@
 /** The element <shape-spline>. Importing it has no side effects and works without a DOM. */
 import { ghostFor, motionFor } from '../engine/api/method-options.ts';
+import { RULES, settled } from '../engine/api/rules.ts';
 import { EngineError, isCancelled, messageOf } from '../engine/api/errors.ts';
 import type { Keys, Motion } from '../engine/api/api.ts';
 import { SEQUENCE_DEFAULTS } from '../engine/api/types.ts';
@@ -422,14 +423,17 @@ export class ShapeSplineElement extends Base {
     this.#opening.keys = keys;
     const held = await keys.value;
     if (!current()) return null;
-    const options: Partial<SequenceOptions> = { ...held.info.project, ...this.#options('sequence') };
+    const given: Partial<SequenceOptions> = this.#options('sequence');
+    const merged = { ...SEQUENCE_DEFAULTS, ...held.info.project, ...given };
+    const { options, left } = settled(merged, (option) => given[option] !== undefined);
+    for (const { dropped } of left)
+      console.warn(`<shape-spline>: left out ${RULES[dropped].words}, which the attributes exclude.`);
     if (this.ghost && !options.ghostFaces) options.ghostFaces = GHOST_FACES;
-    const method = options.method ?? this.method;
+    const { method } = options;
     const methods = [method, ...this.compare.filter((one) => one !== method)];
     const times = this.keyTimes ?? sources.times;
-    const all = { ...SEQUENCE_DEFAULTS, ...options };
     const motions = methods.map((one) => {
-      const own = one === method ? { ...options, method } : motionFor(ghostFor(all, one), { method: one });
+      const own = one === method ? options : motionFor(ghostFor(options, one), { method: one });
       return takeMotion({ keys, times, options: own }, from(KEYS_SHARE));
     });
     for (const lease of this.#opening.motions) lease.release();

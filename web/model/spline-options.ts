@@ -1,5 +1,6 @@
 /** What rules out kept lengths, and whether the shape spline still is the published motion. */
 import { OWN_METHOD } from '../engine/api/methods.ts';
+import { conflicts, type Ruled, type RuledOption } from '../engine/api/rules.ts';
 import { listsOf } from './shaping.ts';
 import { DEFAULT_MOTION, holds } from './state.ts';
 import type { KeyRef, Motion } from './state.ts';
@@ -10,17 +11,14 @@ export interface Edited {
   motion: Motion;
 }
 
-/** The choice that rules out kept lengths. */
-export type Conflict = 'ends' | 'held' | 'turns';
-
-/** The choice that rules out shapes that keep lengths; null if they are possible. */
-export function keepLengthsConflict({ keys, motion }: Edited): Conflict | null {
-  if (motion.boundary !== 'natural') return 'ends';
-  if (holds({ ...motion, method: OWN_METHOD })) return 'held';
-  return listsOf(keys.map(({ shaping }) => shaping)).turns.length > 0 ? 'turns' : null;
+/** The option that excludes shapes that keep lengths; null if they are possible. */
+export function keepLengthsConflict({ keys, motion }: Edited): RuledOption | null {
+  const lists = listsOf(keys.map(({ shaping }) => shaping));
+  const wanted = { ...motion, ...lists, pins: [...motion.pins], method: OWN_METHOD, keepLengths: 1 } as Ruled;
+  return conflicts(wanted).find(({ other }) => other === 'keepLengths')?.option ?? null;
 }
 
-/** The number of shapes that keep lengths. A number that is ruled out stays in the document. */
+/** The number of shapes that keep lengths. A number that is excluded stays in the document. */
 export function keptLengths(edited: Edited): number {
   const { method, keepLengths } = edited.motion;
   return method !== OWN_METHOD || keepLengthsConflict(edited) ? DEFAULT_MOTION.keepLengths : keepLengths;

@@ -1,8 +1,9 @@
 /** Further options: of the shape spline, kept lengths; of fitted methods, their mesh and times. */
 import { METHOD, OWN_METHOD } from '../engine/api/methods.ts';
 import { MOTION } from '../engine/api/option-table.ts';
+import type { RuledOption } from '../engine/api/rules.ts';
 import { keptLengths, keepLengthsConflict } from '../model/spline-options.ts';
-import type { Edited, Conflict } from '../model/spline-options.ts';
+import type { Edited } from '../model/spline-options.ts';
 import type { Motion } from '../model/state.ts';
 import { segments } from './controls.ts';
 import { createFitFields } from './fit-fields.ts';
@@ -11,9 +12,11 @@ import { h, setHidden, setText } from './dom.ts';
 
 const LENGTHS = [...Array(MOTION.keepLengths.max + 1).keys()].map(String);
 
-const REASONS: Record<Conflict, string> = {
-  ends: 'Requires free ends.',
-  held: 'Not with parts held in place.',
+const HELD = 'Not with parts held in place.';
+const REASONS: Partial<Record<RuledOption, string>> = {
+  boundary: 'Requires free ends.',
+  hold: HELD,
+  pins: HELD,
   turns: 'Not with extra turns.',
 };
 
@@ -54,7 +57,7 @@ export function createSplineOptions(onMotion: (change: Partial<Motion>) => void)
   };
 }
 
-function allRefused<T extends string>(choices: readonly T[], why: Conflict | null): Partial<Record<T, string>> {
-  const entries = why ? choices.map((choice) => [choice, REASONS[why]]) : [];
+function allRefused<T extends string>(choices: readonly T[], why: RuledOption | null): Partial<Record<T, string>> {
+  const entries = why ? choices.map((choice) => [choice, REASONS[why] ?? '']) : [];
   return Object.fromEntries(entries) as Partial<Record<T, string>>;
 }

@@ -118,7 +118,7 @@ describe('the values of options', () => {
   it('refuse ends, tension and bias with methods whose shapes are fitted', () => {
     for (const method of ['lengths', 'shell'])
       for (const flag of ['--boundary=hermite', '--boundary=periodic', '--tension=0,1', '--bias=0,1'])
-        expect(() => sequenceOptions(parse(flag, '--method', method))).toThrow(/natural ends/);
+        expect(() => sequenceOptions(parse(flag, '--method', method))).toThrow(/ requires --method lri, /);
     expect(sequenceOptions(parse('--method=lengths', '--space-faces=500', '--boundary=natural'))).toEqual({
       method: 'lengths',
       spaceFaces: 500,
@@ -162,10 +162,19 @@ describe('the values of options', () => {
 
   it('are checked together with the project of the file, by the names of their flags', () => {
     const project = { keepLengths: 2, tension: [0, 0], bias: [0, 0], turns: [], pins: [] };
-    expect(() => withProject(project, { boundary: 'periodic' })).toThrow(
-      '--keep-lengths requires --boundary natural (the file is a project, which sets the options that are not given)',
+    const said: string[] = [];
+    const left = (...[own, given]: [object, object]) => withProject(own, given, (warning) => said.push(warning));
+    expect(left(project, { boundary: 'periodic' })).toMatchObject({ boundary: 'periodic', keepLengths: 0 });
+    expect(left({ method: 'shell', tension: [0, 1] }, {})).toMatchObject({ method: 'shell', tension: [] });
+    expect(left({ hold: 'on', pins: [] }, { method: 'rimd' })).toMatchObject({ method: 'rimd', hold: 'off' });
+    expect(said.map((text) => text.split(' (')[0])).toEqual([
+      '--keep-lengths requires --boundary natural, so --keep-lengths is left out',
+      '--tension requires --method lri, geodesic, linear, cubic-vertex, rotation-strain or rimd, so --tension is left out',
+      '--hold requires --method lri, so --hold is left out',
+    ]);
+    expect(() => withProject({ method: 'rimd' }, { hold: 'on' })).toThrow(
+      '--hold requires --method lri (the file is a project, which sets the options that are not given)',
     );
-    expect(() => withProject({ method: 'shell', tension: [0, 1] }, {})).toThrow(/leave out --tension/);
     expect(withProject({ ...project, method: 'shell', keepLengths: 0 }, { spaceFaces: 500 })).toMatchObject({
       method: 'shell',
       spaceFaces: 500,

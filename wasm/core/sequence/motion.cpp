@@ -36,14 +36,9 @@ bool addsTurns(const MotionOptions& o) {
 
 // These methods rotate each face separately, without patches. So they cannot add turns, hold resting parts or pin.
 Status checkFaceMethod(const MotionOptions& o) {
-  if (!turnsFaces(o.method)) return {};
-  const char* const what = o.hold            ? "It cannot hold resting parts"
-                           : !o.pins.empty() ? "It cannot apply pins"
-                           : addsTurns(o)    ? "It cannot add full turns"
-                                             : nullptr;
-  if (!what) return {};
-  return Error{ErrorCode::InvalidOption, std::string("This method rotates every face separately. ") + what +
-                                             ". Choose the method 'lri' instead."};
+  if (!turnsFaces(o.method) || (!o.hold && o.pins.empty() && !addsTurns(o))) return {};
+  return Error{ErrorCode::InvalidOption,
+               "This method supports no holding, no pins and no full turns. Use the method 'lri'."};
 }
 
 CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {

@@ -138,8 +138,10 @@ void moveTargetNames(json& doc) {
         names.push_back("");
         for (const char* place : {"extra", "extras"})
           if (const json* extra = field(target, place))
-            if (const json* name = field(*extra, "name"); name && name->is_string()) names.back() = *name;
-        any |= names.back() != "";
+            if (const json* name = field(*extra, "name"); name && name->is_string()) {
+              names.back() = *name;
+              any = true;
+            }
       });
       if (!any) return;
       json& extras = primitive["extras"];

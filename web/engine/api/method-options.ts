@@ -1,30 +1,20 @@
 /** The options of a sequence that each method supports. */
-import { METHOD, OWN_METHOD, hasEnds } from './methods.ts';
-import { ENCODING_DEFAULTS, MOTION_DEFAULTS } from './types.ts';
+import { METHOD } from './methods.ts';
+import { conflicts, without } from './rules.ts';
+import { ENCODING_DEFAULTS } from './types.ts';
 import type { EncodingOptions, Method, MotionOptions } from './types.ts';
 
 /**
- * The options that a method uses; the others have no effect. Straight motion has no end derivatives, and fitted motion
- * has natural ends and no tension. Some methods ignore holding and added turns, and only the shape spline keeps
- * lengths. `plain`: as published, without holding, pins and kept lengths.
+ * The options that a method supports; the others have their defaults. `plain`: as published, without holding, pins and
+ * kept lengths.
  */
 export function motionFor<T extends Omit<MotionOptions, 'method'>>(
   options: T,
   { method, plain = false }: { method: Method; plain?: boolean },
 ): T & { method: Method } {
-  const { curve, holds, turns } = METHOD[method];
-  const { hold, pins } = plain || !holds ? MOTION_DEFAULTS : options;
-  const { keepLengths } = plain || method !== OWN_METHOD ? MOTION_DEFAULTS : options;
-  return {
-    ...options,
-    method,
-    boundary: hasEnds(method, options.boundary) ? options.boundary : 'natural',
-    hold,
-    pins: [...pins],
-    keepLengths,
-    turns: turns ? options.turns : [],
-    ...(curve === 'fitted' && { tension: [], bias: [] }),
-  };
+  const own = { ...options, method };
+  const lacks = conflicts(own).flatMap(({ option, other }) => (other === 'method' ? [option] : []));
+  return without(own, plain ? [...lacks, 'hold', 'pins', 'keepLengths'] : lacks);
 }
 
 /**

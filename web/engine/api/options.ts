@@ -3,7 +3,8 @@
  * option's name, before anything is sent to a worker.
  */
 import { invalidOption, type EngineError } from './errors.ts';
-import { METHOD } from './methods.ts';
+import { RULES, settled, type Ruled } from './rules.ts';
+import { METHOD, OWN_METHOD } from './methods.ts';
 import {
   ENCODING,
   EXPORT,
@@ -285,6 +286,24 @@ export function checkUpdate(
     motion: copied(checked('motion', motionChecks, present, rest)),
     keyTimes: copied(keyTimes as number[] | undefined) ?? null,
   };
+}
+
+/**
+ * The motion options after the rules (rules.ts). `given`: the options of this call; others are inherited. Error: a
+ * given option that the method, or the option keepLengths, does not support.
+ */
+export function checkRules(options: MotionOptions, given: object | undefined): MotionOptions {
+  const { options: usable, refused } = settled(
+    options,
+    (option) => (given as Partial<Ruled> | undefined)?.[option] !== undefined,
+  );
+  if (!refused) return usable;
+  const { words } = RULES[refused.option];
+  throw invalidOption(
+    refused.other === 'method'
+      ? `The method '${options.method}' does not support ${words}. Use the method '${OWN_METHOD}'.`
+      : `The option keepLengths does not support ${words}. Set keepLengths to 0.`,
+  );
 }
 
 /** The refusal of another motion of the same sequence. */

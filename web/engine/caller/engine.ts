@@ -5,12 +5,14 @@ import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
 import { withSpellings, withoutLeftovers } from '../api/paths.ts';
+import { settled } from '../api/rules.ts';
 import { isFitted } from '../api/methods.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
   checkCall,
   checkEncodingOptions,
   checkImportOptions,
+  checkRules,
   checkSequenceOptions,
   encodingOf,
   motionOf,
@@ -20,6 +22,7 @@ import { keysOfMesh } from './key-mesh.ts';
 import { WorkerClient, type CoreWorker, type FilesWorker, type ShellsWorker, type Spawn } from './worker-client.ts';
 import { SequenceClient } from './sequence.ts';
 import { ShapeClient, type ShapeParts } from './shape.ts';
+import { SEQUENCE_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, ImportOptions, InputFile, KeyMesh, SequenceOptions } from '../api/types.ts';
 
 export interface Platform {
@@ -76,6 +79,8 @@ export class EngineClient implements Engine {
     const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
     );
+    const { project } = imported.info;
+    if (project) imported.info.project = settled({ ...SEQUENCE_DEFAULTS, ...project }, () => false).options;
     return new KeyArrays(imported);
   }
 
@@ -102,11 +107,11 @@ export class EngineClient implements Engine {
 
   async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
     const checked = checkSequenceOptions(options);
+    const motion = checkRules(motionOf(checked), options);
     const report = call?.onProgress ?? (() => undefined);
     return this.encoded(keys, encodingOf(checked), call, partOf(report, 0, ENCODING_SHARE), async (shape) => {
-      const spec = shape.spec(motionOf(checked), shape.parts.keys.info.times);
-      if (isFitted(checked))
-        return shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) }, true);
+      const spec = shape.spec(motion, shape.parts.keys.info.times);
+      if (isFitted(motion)) return shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) }, true);
       const state = await shape.make(spec, { onProgress: partOf(report, ENCODING_SHARE, 1) });
       return new SequenceClient(shape, spec, state);
     });

@@ -5,7 +5,7 @@
  */
 import type { CallOptions, Motion, Sequence } from '../api/api.ts';
 import { EngineError, invalidOption, untilAborted } from '../api/errors.ts';
-import { METHOD } from '../api/methods.ts';
+import { METHOD, OWN_METHOD } from '../api/methods.ts';
 import { checkTimes, notUpdated } from '../api/options.ts';
 import { partOf } from '../api/progress.ts';
 import {
@@ -85,27 +85,16 @@ export async function fitMotion(
 }
 
 /**
- * Rejects options that these motions do not support. `encoding`: the shape's encoding options, or null if other motions
- * use the shape as well.
+ * Rejects end tangents, which are options of the encoding. `encoding`: the shape's, or null if other motions use the
+ * shape as well.
  */
 function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions | null): void {
   checkCount(options, keyTimes.length);
-  const { method, hold, pins, boundary, tension, bias, turns } = options;
-  const isMethod = METHOD[method].curve === 'fitted';
-  const wanted: [boolean, string][] = [
-    [hold === 'on', 'keeping resting parts in place'],
-    [pins.length > 0, 'pins'],
-    [boundary !== 'natural', "ends other than 'natural'"],
-    [(encoding?.startTangent ?? encoding?.endTangent ?? null) !== null, 'end tangents'],
-    [isMethod && [...tension, ...bias].some((value) => value !== 0), 'tension or bias'],
-    [turns.some((one) => one.turns !== 0), 'full turns'],
-  ];
-  const [, what] = wanted.find(([isWanted]) => isWanted) ?? [];
-  if (!what) return;
+  if ((encoding?.startTangent ?? encoding?.endTangent ?? null) === null) return;
   throw invalidOption(
-    isMethod
-      ? `The method '${method}' does not support ${what}. Use the method 'lri'.`
-      : `The option keepLengths does not support ${what}. Set keepLengths to 0.`,
+    METHOD[options.method].curve === 'fitted'
+      ? `The method '${options.method}' does not support end tangents. Use the method '${OWN_METHOD}'.`
+      : 'The option keepLengths does not support end tangents. Set keepLengths to 0.',
   );
 }
 

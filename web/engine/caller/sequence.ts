@@ -1,7 +1,7 @@
 /** A shape with one changeable motion. */
 import type { MotionChange, Sequence } from '../api/api.ts';
 import { isFitted } from '../api/methods.ts';
-import { checkUpdate, copied, notUpdated } from '../api/options.ts';
+import { checkRules, checkUpdate, copied, notUpdated } from '../api/options.ts';
 import type { Ghost, SequenceStats } from '../api/types.ts';
 import type { MotionSpec } from '../wire/protocol.ts';
 import { MotionClient } from './motion.ts';
@@ -13,10 +13,11 @@ export class SequenceClient extends MotionClient implements Sequence {
 
   async update(change: MotionChange): Promise<void> {
     this.checkAlive();
-    checkUpdate(this.spec.options, change);
+    checkRules(checkUpdate(this.spec.options, change).motion, change);
     const given = copied(change); // it may run later
     const work = this.shape.scheduler.run(urgency.shown, async () => {
-      const { motion, keyTimes } = checkUpdate(this.spec.options, given);
+      const { motion: merged, keyTimes } = checkUpdate(this.spec.options, given);
+      const motion = checkRules(merged, given);
       if (isFitted(motion)) throw notUpdated(motion);
       const next = this.shape.spec(motion, keyTimes ?? this.spec.keyTimes);
       this.state = await this.shape.make(next);

@@ -2,7 +2,7 @@
 import type { CallOptions, MotionChange, Shape } from '../api/api.ts';
 import { cancelled, disposed, untilAborted } from '../api/errors.ts';
 import { METHOD, isFitted } from '../api/methods.ts';
-import { checkCall, checkUpdate } from '../api/options.ts';
+import { checkCall, checkRules, checkUpdate } from '../api/options.ts';
 import { MOTION_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
 import type { CoreCallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
@@ -59,7 +59,8 @@ export class ShapeClient implements Shape {
 
   async motion(change: MotionChange = {}, call?: CallOptions): Promise<MotionClient> {
     checkCall(call);
-    const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
+    const { motion: given, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
+    const motion = checkRules(given, change);
     const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);
     if (isFitted(motion)) return this.fitted(spec, call);
     const made = this.scheduler.run(urgency.shown, () => this.make(spec, call), call?.signal);
