@@ -387,6 +387,26 @@ it.each<[string, Partial<SequenceOptions>]>([
   expect(await page.locator('#a [part=name]').allTextContents()).toHaveLength(METHODS.length);
 });
 
+it('leaves out what a project sets and the given method lacks, and says so', async () => {
+  const mesh = bar();
+  await withEngine(async (engine) => {
+    const poses = [0, 60, 0].map((angle, time) => ({ name: `${time}`, time, positions: bent(mesh, angle) }));
+    const keys = await engine.createKeys({ faces: mesh.indices, poses });
+    const sequence = await engine.createSequence(keys, { hold: 'on', pins: [{ vertex: 0, radius: 0.1 }] });
+    write('held-bar.glb', (await sequence.export())[0]!.bytes);
+  });
+  const page = await openElements('<shape-spline id="a" src="held-bar.glb"></shape-spline>');
+  const warnings: string[] = [];
+  page.on('console', (message) => {
+    if (message.type() === 'warning') warnings.push(message.text());
+  });
+  await when(page, 'load');
+  await on(page, (shape) => (shape.method = 'rimd'));
+  await expect.poll(() => warnings.filter((text) => text.includes('left out'))).toHaveLength(2);
+  await seek(page, 0.5);
+  expect(await told(page, 'error')).toEqual([]);
+});
+
 it('follows changes of the colour scheme', async () => {
   const page = await openElements(ONE, { colorScheme: 'light' });
   await when(page, 'load');
