@@ -38,10 +38,22 @@ class EncodedShape {
   Status makeFaceSpace(Method method);
 
   /// LRI space must exist.
-  const LriSpace& lri() const { return assert(lri_), *lri_; }
-  const VertexSpace& vertices() const { return assert(vertices_), *vertices_; }
-  const RotationStrainSpace& rotationStrain() const { return assert(rotationStrain_), *rotationStrain_; }
-  const RimdSpace& rimd() const { return assert(rimd_), *rimd_; }
+  const LriSpace& lri() const {
+    assert(lri_);
+    return *lri_;
+  }
+  const VertexSpace& vertices() const {
+    assert(vertices_);
+    return *vertices_;
+  }
+  const RotationStrainSpace& rotationStrain() const {
+    assert(rotationStrain_);
+    return *rotationStrain_;
+  }
+  const RimdSpace& rimd() const {
+    assert(rimd_);
+    return *rimd_;
+  }
   bool hasLri() const { return lri_ != nullptr; }
 
   /// Component of each input face, numbered by its first face in the input; -1 without area.
