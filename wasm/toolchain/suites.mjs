@@ -1,6 +1,7 @@
 // The suites of `npm test`: requirements, build steps and commands. Each uses all cores.
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
+import { stripVTControlCharacters } from 'node:util';
 import { installBlender } from './blender.mjs';
 import { buildNative, buildWasm, nodeBundle, npmPackage, page, wasmModule } from './build.mjs';
 import { nothing, reports, runReported, sum } from './counts.mjs';
@@ -78,6 +79,16 @@ function wasm(words, folder) {
   });
 }
 
+/** The first lines of a failure and its line in the test, for the summary. */
+function reason(message = '') {
+  const lines = stripVTControlCharacters(message)
+    .split('\n')
+    .map((line) => line.trim());
+  const place = lines.find((line) => line.startsWith('at ') && line.includes(inRoot('tests')));
+  const words = lines.filter((line) => line && !line.startsWith('at ')).slice(0, 3);
+  return [...words, ...(place ? [place] : [])].map((line) => `\n    ${line.slice(0, 200)}`).join('');
+}
+
 /** Counts the tests of a report. Tests marked `@all` do not count as skipped if they were excluded. */
 const countVitest = (all) => (report) => {
   const brokenFiles = report.testResults.filter(
@@ -93,7 +104,9 @@ const countVitest = (all) => (report) => {
       .length,
     names: [
       ...brokenFiles.map(({ name }) => path.basename(name)),
-      ...tests.filter(({ status }) => status === 'failed').map(({ file, fullName }) => `${file}: ${fullName}`),
+      ...tests
+        .filter(({ status }) => status === 'failed')
+        .map(({ file, fullName, failureMessages }) => `${file}: ${fullName}${reason(failureMessages[0])}`),
     ],
   };
 };
@@ -139,7 +152,10 @@ function countPlaywright({ suites, stats, errors }) {
       ...errors.map(({ message }) => message),
       ...specsOf({ suites })
         .filter(({ ok, tests }) => !ok || tests.some(({ status }) => status === 'flaky'))
-        .map(({ file, title }) => `${file}: ${title}`),
+        .map(({ file, title, tests }) => {
+          const errors = tests.flatMap(({ results }) => results.flatMap(({ error }) => error ?? []));
+          return `${file}: ${title}${reason(errors[0]?.stack)}`;
+        }),
     ],
   };
 }
