@@ -1,6 +1,6 @@
 /** The lint of names finds private words in identifiers and file names, and ignores comments and strings. */
 import { expect, it } from 'vitest';
-import { lintNames, privateNamesIn, wordsOf } from '../../wasm/toolchain/names.mjs';
+import { privateNamesIn, wordsOf } from '../../wasm/toolchain/names.mjs';
 
 const found = (file: string, source = ''): [number, string][] =>
   privateNamesIn(file, source).map(({ line, name }) => [line, name]);
@@ -23,8 +23,4 @@ it('finds private words in identifiers and file names', () => {
 it('leaves other words, comments and strings alone', () => {
   expect(found('a.ts', "// the least_truth\nconst most = 'MOST_KEYS' + atLeast + wholeTurn;")).toEqual([]);
   expect(found('a.css', '.time-peek { color: red }')).toEqual([]);
-});
-
-it('finds no private name in the repository', () => {
-  expect(lintNames()).toEqual([]);
 });
