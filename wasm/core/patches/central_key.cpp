@@ -8,8 +8,12 @@ namespace shapespline {
 namespace {
 
 constexpr int maxFaces = 500;
-// Weight of the reference, relative to all keys. Between symmetric keys, it decides instead of noise.
-constexpr double equallyCentral = 1e-5;
+// Weights relative to all keys. Between equally central keys, as two are, the one with the larger area decides; between
+// keys of equal area, the reference instead of noise.
+constexpr double areaWeight = 1e-3;
+constexpr double referenceWeight = 1e-5;
+
+double areaOf(const Positions& p, const Triangle& t) { return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm(); }
 
 // A triangle with mean edges and area of a face: it favours no key.
 FaceFrame commonFrame(const WeldedShape& shape, const Triangle& t, int keys) {
@@ -42,9 +46,9 @@ int centralKey(const WeldedShape& shape, const ShapeTopology& topology) {
     for (int j = 0; j < keys; ++j) rotation[j] = Quaternion(deformationOf(shape, f, frame, j).rotation);
     const Quaternion& reference = rotation[shape.reference % keys];
     for (int j = 0; j < keys; ++j) {
-      double sum = equallyCentral * keys * std::pow(rotation[j].dot(reference), 2);
+      double sum = referenceWeight * keys * std::pow(rotation[j].dot(reference), 2);
       for (const Quaternion& other : rotation) sum += std::pow(rotation[j].dot(other), 2);
-      agreement[j] += frame.area * sum;
+      agreement[j] += frame.area * sum + areaWeight * keys * areaOf(shape.poses[j], shape.faces[f]);
     }
   });
   return static_cast<int>(std::max_element(agreement.begin(), agreement.end()) - agreement.begin());

@@ -7,7 +7,8 @@
 namespace shapespline {
 
 /// The key with the least mean square rotation to all keys, over the faces. Among keys that are equally central, such
-/// as two keys, the one that is nearest to the reference pose. Visits at most 500 faces.
+/// as two keys, the one with the larger area; among those of equal area, the one nearest to the reference pose. Visits
+/// at most 500 faces.
 int centralKey(const WeldedShape& shape, const ShapeTopology& topology);
 
 }  // namespace shapespline
