@@ -18,10 +18,10 @@ async function messageOf(error: Error, answer: Response | null): Promise<string>
   vi.stubGlobal('fetch', fetched);
   const viewState = createViewState(() => undefined);
   createFeedback(viewState).onError(error);
-  await vi.waitFor(() => expect(viewState.get().errorMessage).not.toBeNull());
+  await vi.waitFor(() => expect(viewState.page.errorMessage).not.toBeNull());
   expect(fetched).toHaveBeenCalledWith('/page/', expect.anything());
-  expect(viewState.get().errorMessage!.retry).toBe(true);
-  return viewState.get().errorMessage!.message;
+  expect(viewState.page.errorMessage!.retry).toBe(true);
+  return viewState.page.errorMessage!.message;
 }
 
 it.each([NOT_FOUND, NO_WASM])('ask for a reload', async (error) => {

@@ -1,6 +1,6 @@
 /** Showing the animation of the files beside the motion. */
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import type { ViewState } from '../../web/app/view/view-state.ts';
+import type { OpenedState } from '../../web/app/view/view-state.ts';
 import { createViewState } from '../../web/app/view/view-state.ts';
 import { createIoControllers } from '../../web/app/io-controllers.ts';
 import type { IoControllersParts } from '../../web/app/io-controllers.ts';
@@ -51,8 +51,8 @@ async function page(animation = 0) {
     reads.shift()!(reference);
     await new Promise((resolve) => setTimeout(resolve, 0));
   };
-  const state = () => [viewState.get().original, shown.original !== null];
-  return { tick, end, state, said, change: (part: Partial<ViewState>) => viewState.change(part) };
+  const state = () => [viewState.opened.original, shown.original !== null];
+  return { tick, end, state, said, change: (part: Partial<OpenedState>) => viewState.changeOpened(part) };
 }
 
 it('is not shown if the box is unticked while the animation is read', async () => {

@@ -27,9 +27,9 @@ afterEach(() => {
 it('a URL with a pending change event is not overwritten', () => {
   location.hash = '#tour=1';
   const onGuide = vi.fn();
-  const parts = { store: createStore(EMPTY_STATE), initial: () => null, say: vi.fn(), onLink: vi.fn(), onGuide };
+  const parts = { store: createStore(EMPTY_STATE), initial: () => null, say: vi.fn(), onLink: vi.fn() };
   const link = createPageLink(parts);
-  link.listen();
+  link.listen(onGuide);
   link.pin('tour=2');
   vi.runAllTimers();
   expect(location.hash).toBe('#tour=2');

@@ -2,14 +2,17 @@
 import { endTangents } from '../model/state.ts';
 import { registerServiceWorker } from '../offline/register.ts';
 import { lazy } from '../ui/lazy.ts';
+import type { Lazy } from '../ui/lazy.ts';
 import { createTheme } from '../ui/theme.ts';
 import { bindActions } from './actions/action.ts';
+import { noOverlays } from './actions/context.ts';
 import type { Context, IoControllers } from './actions/context.ts';
+import { seek } from './actions/time.ts';
 import { ACTIONS } from './actions/table.ts';
 import { createAnalysisCache } from './analysis/analysis-cache.ts';
 import { createMotionSpeed } from './analysis/motion-speed.ts';
 import { createDisplay } from './drawing/display.ts';
-import { applyLook, followState, sessionEvents } from './follow-state.ts';
+import { applyLook, followState } from './follow-state.ts';
 import { factsOf } from './guide/facts.ts';
 import type { Guide } from './guide/guide.ts';
 import { createLayout } from './panels/layout.ts';
@@ -19,40 +22,38 @@ import { createSession } from './session/session.ts';
 import type { Session, StartedEngine } from './session/session.ts';
 import { FileIntake } from './sources/file-intake.ts';
 import { createFeedback } from './view/feedback.ts';
+import type { Feedback } from './view/feedback.ts';
 import { createOffers } from './view/offers.ts';
+import { createSignal } from './view/signal.ts';
 import { createViewState } from './view/view-state.ts';
 import { listenToLeaving, listenToNetwork, listenToPointer } from './view/window-events.ts';
-import { createStartup } from './startup.ts';
+import { begin, createVisit } from './startup.ts';
+import type { GuideLinks, Visit } from './startup.ts';
 import { createIoControllers } from './io-controllers.ts';
 
 export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const layout = createLayout();
   const offers = createOffers();
-  const redraw = (): void => page.redraw();
-  const viewState = createViewState(redraw);
+  const overlays = noOverlays();
+  const changed = createSignal();
+  const themeChanged = createSignal();
+  const viewState = createViewState(changed.send);
   const feedback = createFeedback(viewState);
-  const session = createSession(
-    engine,
-    sessionEvents(() => context),
-  );
+  const session = createSession(engine);
   const { store } = session;
-  const seek = (t: number): void => commands.seek(t);
-  const display = createDisplay({ session, area: layout, viewState, feedback, seek, onResize: redraw });
-  const analysis = createAnalysisCache(session, () => viewState.get().ms ?? 1, feedback.onError);
-  const ioControllers = createIoControllers({
+  const display = createDisplay({
     session,
-    display,
-    analysis,
+    area: layout,
     viewState,
     feedback,
-    onOffer: offers.imported.offer,
-    onGuide(fragment) {
-      if (fragment === null) void guide.now?.close();
-      else openGuide(fragment).catch(feedback.onError);
-    },
+    seek: (t) => seek({ session, viewState }, t),
+    onResize: changed.send,
   });
-  const guide = lazy(() => loadGuide(session, ioControllers, layout, () => startup.openBegun()));
-  const openGuide = async (fragment: string): Promise<boolean> => (await guide.get()).open(fragment);
+  const analysis = createAnalysisCache(session, () => viewState.opened.ms ?? 1, feedback.onError);
+  const onOffer = offers.imported.offer;
+  const ioControllers = createIoControllers({ session, display, analysis, viewState, feedback, onOffer });
+  const visit = createVisit({ ...ioControllers, viewState, feedback, offers });
+  const guide = lazy(() => loadGuide(session, ioControllers, layout, visit));
   const context: Context = {
     ...ioControllers,
     session,
@@ -61,59 +62,72 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     feedback,
     analysis,
     guide,
-    theme: createTheme(() => {
-      applyLook(context);
-      redraw();
-    }),
+    overlays,
+    theme: createTheme(themeChanged.send),
     motionSpeed: createMotionSpeed({
       sequence: session.sequence,
       towards: () => endTangents(store.get().doc),
-      onSpeed: (speedCurve, maxSpeeds) => viewState.change({ speedCurve, maxSpeeds }),
+      onSpeed: (speedCurve, maxSpeeds) => viewState.changeOpened({ speedCurve, maxSpeeds }),
     }),
     fileIntake: new FileIntake({
       store,
       files: ioControllers.files,
       say: feedback.say,
       onOffer: offers.pose.offer,
-      onPick: () => page.overlays.pickFiles(),
+      onPick: () => overlays.pickFiles(),
     }),
-    offerImport: offers.imported.offer,
-    get overlays() {
-      return page.overlays;
-    },
+    offerImport: onOffer,
   };
   const commands = bindActions(ACTIONS, context);
   const onDrawn = (): void => {
-    if (guide.now?.isOpen) guide.now.setFacts(factsOf(viewState.get(), store.get(), display.scene.labels));
+    if (guide.now?.isOpen) guide.now.setFacts(factsOf(viewState.opened, store.get(), display.scene.labels));
   };
-  const page = createPage({ root, layout, context, commands, offers, onDrawn });
+  const redraw = createPage({ root, layout, context, commands, offers, onDrawn });
+  const look = (): void => {
+    applyLook(context);
+    redraw();
+  };
+  changed.listen(redraw);
+  themeChanged.listen(look);
   followState(context, () => guide.now?.onOpened(), redraw);
   listenToWindow(context);
-  const startup = createStartup({ context, offers, onGuide: openGuide });
   const onNewVersion = (reload: () => void): void =>
     offers.newVersion.offer({
       message: 'A new version of this page is ready.',
       action: 'Reload',
       onAccept: () => void ioControllers.remembered.settle().then(reload),
     });
-  registerServiceWorker({ onNewVersion, onRepaired: feedback.say }, startup.begin());
+  registerServiceWorker(
+    { onNewVersion, onRepaired: feedback.say },
+    begin(context, visit, offers, guideLinks(guide, feedback)),
+  );
   void display.scene.viewer.firstSeen.then(redraw);
-  applyLook(context);
-  redraw();
+  look();
+}
+
+function guideLinks(guide: Lazy<Guide>, { onError }: Feedback): GuideLinks {
+  const open = async (fragment: string): Promise<boolean> => (await guide.get()).open(fragment);
+  return {
+    open,
+    follow(fragment) {
+      if (fragment === null) void guide.now?.close();
+      else open(fragment).catch(onError);
+    },
+  };
 }
 
 async function loadGuide(
   { store, workspace }: Session,
   { files, remembered, link }: IoControllers,
   layout: Layout,
-  openInitial: () => Promise<void>,
+  visit: Visit,
 ): Promise<Guide> {
   const { createGuide } = await import('./guide/guide.ts');
   return createGuide({
     store,
     workspace,
     files,
-    openInitial,
+    openInitial: visit.openBegun,
     place: layout.setGuide,
     showPanel: layout.showPanel,
     frame: layout.setFramed,

@@ -1,14 +1,15 @@
-/** Reactions to changes of the state and its motions. */
+/** Reactions to changes of the state, its files and its motions. */
 import type { Warning } from '../engine/api/types.ts';
 import type { Context } from './actions/context.ts';
 import { withPlaces } from './drawing/warning-places.ts';
 import type { Session, SessionEvents } from './session/session.ts';
 import { changesBetween } from './session/state-changes.ts';
 
-/** Passes each change of the state to the parts concerned. */
+/** Passes each change of the state, loaded files and finished motions to the parts concerned. */
 export function followState(context: Context, onOpened: () => void, redraw: () => void): void {
   const { session, display, viewState, fileIntake, link, remembered } = context;
   const { store } = session;
+  session.listen(sessionEvents(context));
   let before = store.get();
   store.subscribe((state) => {
     const changed = changesBetween(before, state);
@@ -30,7 +31,7 @@ export function followState(context: Context, onOpened: () => void, redraw: () =
 
 /** Shows the motion again instead of a blend of the keys. */
 export function showMotion({ viewState }: Context): void {
-  if (viewState.get().blend) viewState.change({ blend: null });
+  if (viewState.opened.blend) viewState.changeOpened({ blend: null });
 }
 
 export function applyLook({ session: { store }, display, theme }: Context): void {
@@ -46,24 +47,24 @@ function serveAfterFirst({ session: { serve, store }, display: { scene, playback
 }
 
 /** Reactions to loaded files and finished motions. */
-export function sessionEvents(app: () => Context): SessionEvents {
+function sessionEvents(context: Context): SessionEvents {
+  const { feedback, display, session } = context;
+  const { firstKey, scene } = display;
   return {
-    onApplied: () => showApplied(app()),
+    onApplied: () => showApplied(context),
     onRestart() {
-      const { feedback, display, session } = app();
       feedback.say('The browser stopped the computation. It restarts now, and nothing was lost.');
       void display.playback.frameLoop.request(session.store.get().time);
     },
-    onWorking: (working) => app().feedback.onWorking(working),
-    onRead: (info) => app().display.scene.expect(info),
-    onLarge: () => app().display.firstKey.begin(),
+    onWorking: feedback.onWorking,
+    onRead: (info) => scene.expect(info),
+    onLarge: () => firstKey.begin(),
     onKeys(opening) {
-      const { firstKey } = app().display;
       if (opening) void firstKey.show(opening);
       else firstKey.end();
     },
-    onGivenUp: () => app().display.firstKey.end(),
-    onError: (error) => app().feedback.onError(error),
+    onGivenUp: () => firstKey.end(),
+    onError: feedback.onError,
   };
 }
 
@@ -71,9 +72,9 @@ export function sessionEvents(app: () => Context): SessionEvents {
 function showApplied({ session, display, viewState, feedback, analysis, motionSpeed }: Context): void {
   const main = session.sequence();
   if (!main) return;
-  viewState.change({ warnings: warningsOf(session) });
+  viewState.changeOpened({ warnings: warningsOf(session) });
   display.marking.follow();
-  main.shape.stats().then((stats) => viewState.change({ stats }), feedback.onError);
+  main.shape.stats().then((stats) => viewState.changeOpened({ stats }), feedback.onError);
   display.playback.frameLoop.follow(session.store.get().time);
   analysis.invalidate();
   motionSpeed.refresh();

@@ -9,7 +9,6 @@ import type { Display } from './drawing/display.ts';
 import { originalOf } from './drawing/original.ts';
 import type { Feedback } from './view/feedback.ts';
 import { importOffer } from './panels/import-offer.ts';
-import { openedView } from './view/view-state.ts';
 import type { ViewStateHolder } from './view/view-state.ts';
 import { reducedMotion } from './view/window-events.ts';
 import type { Session } from './session/session.ts';
@@ -29,8 +28,6 @@ export interface IoControllersParts {
   feedback: Feedback;
   /** Offers actions for an import's warnings; null for none. */
   onOffer(offer: Offer | null): void;
-  /** The URL names a page of the guide. */
-  onGuide(fragment: string | null): void;
 }
 
 const NOT_ITS_KEYS =
@@ -48,10 +45,10 @@ export function createIoControllers(parts: IoControllersParts): IoControllers {
     say,
     onStart,
     onError,
-    samples: () => viewState.get().samples,
+    samples: () => viewState.page.samples,
     onOpened(opened) {
       showOpened(parts, files, opened);
-      if (viewState.get().original) showOriginal(true).catch(onError);
+      if (viewState.opened.original) showOriginal(true).catch(onError);
     },
     onRead: session.serve,
     onWorking,
@@ -70,11 +67,10 @@ export function createIoControllers(parts: IoControllersParts): IoControllers {
   const link = createPageLink({
     store,
     say,
-    initial: () => viewState.get().initial,
+    initial: () => viewState.opened.initial,
     onLink: (to) => void files.sample(to.sample, to),
-    onGuide: parts.onGuide,
   });
-  const titleOf: IoControllers['titleOf'] = (source) => sourceTitle(source, viewState.get().samples);
+  const titleOf: IoControllers['titleOf'] = (source) => sourceTitle(source, viewState.page.samples);
   const exporting = lazy(async () => {
     const { ExportController } = await import('./export/export-controller.ts');
     return new ExportController({ ...parts, titleOf });
@@ -83,14 +79,14 @@ export function createIoControllers(parts: IoControllersParts): IoControllers {
   const showOriginal = async (shown: boolean): Promise<void> => {
     const { display, analysis } = parts;
     const ask = ++asked;
-    viewState.change({ original: shown });
+    viewState.changeOpened({ original: shown });
     const reference = shown ? await (await animation.get()).reference() : null;
     // The user has unticked the box, or opened other files.
-    if (ask !== asked || viewState.get().original !== shown) return;
+    if (ask !== asked || viewState.opened.original !== shown) return;
     const { info } = workspace;
     if (shown && !reference && info && info.animation < 0) say(NOT_ITS_KEYS);
     display.scene.setOriginal(reference && info && originalOf(reference, info.faces));
-    viewState.change({ original: reference !== null });
+    viewState.changeOpened({ original: reference !== null });
     analysis.invalidate();
     await display.playback.frameLoop.request(store.get().time);
   };
@@ -115,12 +111,12 @@ function showOpened(
     store.set({ play: { ...store.get().play, loop: 'loop' } });
   };
   firstKey.settle();
-  viewState.change(openedView(opened, viewState.get()));
+  viewState.open(opened);
   const offer = withRoom(importOffer(opened, files, loopMotion), () => scene.viewer.refit(!reducedMotion()));
   // The shape is fitted below the offer. If the import dialog is open, the offer is beside the shape.
-  if (!viewState.get().opening) onOffer(offer);
+  if (!viewState.opened.opening) onOffer(offer);
   scene.setImport(info, pool, camera);
-  if (viewState.get().opening) onOffer(offer);
+  if (viewState.opened.opening) onOffer(offer);
   feedback.withdraw();
   if (source.kind === 'files')
     feedback.say(

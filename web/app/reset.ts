@@ -1,8 +1,8 @@
 /** Restores the start of a visit without reloading the page, for tests that share a page. */
-import { DEFAULT_REQUEST } from '../model/export-request.ts';
 import { DEFAULT_VIEW, EMPTY_STATE } from '../model/state.ts';
 import type { Context } from './actions/context.ts';
 import type { Offers } from './view/offers.ts';
+import { EMPTY_OPENED, NO_CHOICES } from './view/view-state.ts';
 
 export interface ResetParts {
   context: Context;
@@ -25,13 +25,8 @@ export async function reset({ context, offers, visit }: ResetParts, fragment: st
   link.replace(fragment);
   offers.withdraw();
   feedback.clear();
-  viewState.change({
-    errorMessage: null,
-    welcome: true,
-    singleKeys: true,
-    original: false,
-    exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
-  });
+  viewState.change({ errorMessage: null, welcome: true, singleKeys: true, charts: NO_CHOICES });
+  viewState.changeOpened(EMPTY_OPENED);
   await visit(fragment);
   files.history.forget();
   viewState.change({ welcome: session.store.get().source.kind === 'sample' });
@@ -54,19 +49,5 @@ function closeAll(): void {
     card.dispatchEvent(new KeyboardEvent('keydown', { key: 'Escape' }));
   for (const opened of document.querySelectorAll<HTMLDetailsElement>('details[open]')) opened.open = false;
   for (const part of document.querySelectorAll('.side, .key-list')) part.scrollTo(0, 0);
-  takeBackChoices();
   if (document.activeElement instanceof HTMLElement) document.activeElement.blur();
-}
-
-/** Resets the charts' choices, which otherwise survive opening new content. */
-function takeBackChoices(): void {
-  const control = (testId: string): HTMLInputElement | null =>
-    document.querySelector<HTMLInputElement>(`[data-testid="${testId}"]`);
-  for (const field of [control('face-number'), control('patch-number')]) {
-    if (!field?.value) continue;
-    field.value = '';
-    field.dispatchEvent(new Event('change'));
-  }
-  control('part-face')?.click();
-  if (control('minimised')?.checked) control('minimised')?.click();
 }

@@ -4,58 +4,74 @@ import type { Context } from './actions/context.ts';
 import { showMotion } from './follow-state.ts';
 import { openInitial } from './sources/open-initial.ts';
 import { guideLink } from './sources/page-link.ts';
+import type { Sample } from './sources/samples.ts';
 import { createTestHook, installTestHook } from './test-hook.ts';
 import type { TestHook } from './test-hook.ts';
 import type { Offers } from './view/offers.ts';
 
-export interface StartupParts {
-  context: Context;
+export interface VisitParts extends Pick<Context, 'viewState' | 'feedback' | 'files' | 'remembered' | 'link'> {
   offers: Offers;
-  onGuide(fragment: string): Promise<boolean>;
 }
 
-export interface Startup {
-  /** Opens the URL's content; resolves when it is completely shown. */
-  begin(): Promise<void>;
+export interface Visit {
+  /** Opens what the URL names. */
+  open(named: () => string, guide: GuideLinks): Promise<void>;
   /** Opens the content of the URL before the guide. */
   openBegun(): Promise<void>;
+  /** The current URL's fragment. */
+  address(): string;
 }
 
-export function createStartup({ context, offers, onGuide }: StartupParts): Startup {
-  const { session, display, viewState, feedback, files, remembered, link } = context;
-  const { frameLoop } = display.playback;
-  const onSamples: Parameters<typeof openInitial>[0]['onSamples'] = (samples) => {
-    viewState.change({ samples, offline: !navigator.onLine });
-    link.listen();
-  };
-  const open = (named: () => string): Promise<void> =>
-    openInitial(
-      { files, remembered, onSamples, say: feedback.say, onGuide, onStopped: offers.notReopened.offer },
-      named,
-    );
+/** Opens pages of the guide. */
+export interface GuideLinks {
+  open(fragment: string): Promise<boolean>;
+  /** The URL names another page, or none (null). */
+  follow(fragment: string | null): void;
+}
+
+export function createVisit({ offers, viewState, feedback, files, remembered, link }: VisitParts): Visit {
+  const { say } = feedback;
+  const onStopped = offers.notReopened.offer;
   let begun = '';
-  const address = (): string => {
-    if (!guideLink(location.hash)) begun = location.hash;
-    return location.hash;
+  const open = (named: () => string, onGuide: GuideLinks['open'], onListen: () => void): Promise<void> => {
+    const onSamples = (samples: readonly Sample[]): void => {
+      viewState.change({ samples, offline: !navigator.onLine });
+      onListen();
+    };
+    return openInitial({ files, remembered, onSamples, say, onGuide, onStopped }, named);
   };
   return {
-    begin() {
-      const ready = open(address).then(() => frameLoop.idle());
-      const resetTo = async (fragment: string): Promise<void> => {
-        const { reset } = await import('./reset.ts');
-        return reset({ context, offers, visit: (to) => open(() => to) }, fragment);
-      };
-      installTestHook(testHookOf(context, ready, resetTo));
-      const shown = ready
-        .then(() => (session.workspace.info ? display.scene.viewer.firstSeen : undefined))
-        .then(() => session.workspace.idle())
-        .then(() => frameLoop.idle())
-        .then(() => display.scene.viewer.drawn());
-      void shown.then(() => listenToPlayground(context)).catch(feedback.onError);
-      return shown;
+    open: (named, guide) => open(named, guide.open, () => link.listen(guide.follow)),
+    openBegun: () =>
+      open(
+        () => begun,
+        () => Promise.resolve(false),
+        () => undefined,
+      ),
+    address() {
+      if (!guideLink(location.hash)) begun = location.hash;
+      return location.hash;
     },
-    openBegun: () => open(() => begun),
   };
+}
+
+/** Opens the URL's content; resolves when it is completely shown. */
+export function begin(context: Context, visit: Visit, offers: Offers, guide: GuideLinks): Promise<void> {
+  const { session, display, feedback } = context;
+  const { frameLoop } = display.playback;
+  const ready = visit.open(visit.address, guide).then(() => frameLoop.idle());
+  const resetTo = async (fragment: string): Promise<void> => {
+    const { reset } = await import('./reset.ts');
+    return reset({ context, offers, visit: (to) => visit.open(() => to, guide) }, fragment);
+  };
+  installTestHook(testHookOf(context, ready, resetTo));
+  const shown = ready
+    .then(() => (session.workspace.info ? display.scene.viewer.firstSeen : undefined))
+    .then(() => session.workspace.idle())
+    .then(() => frameLoop.idle())
+    .then(() => display.scene.viewer.drawn());
+  void shown.then(() => listenToPlayground(context)).catch(feedback.onError);
+  return shown;
 }
 
 async function listenToPlayground({ session, feedback, titleOf }: Context): Promise<void> {

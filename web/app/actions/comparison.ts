@@ -60,7 +60,7 @@ export function present(context: Context, what: Presented | null): void {
 function toggleSplit(context: Context): void {
   const { doc, view } = context.session.store.get();
   const { compare, split } = view;
-  const { beside } = context.viewState.get();
+  const { beside } = context.viewState.page;
   if (split !== null) return changeView(context, { split: null, compare: [...beside] });
   const { method } = doc.motion;
   context.viewState.change({ beside: compare });

@@ -31,8 +31,8 @@ export interface Context extends IoControllers {
   /** Offers follow-up actions for the files just opened; null withdraws the offer. */
   offerImport(offer: Offer | null): void;
   guide: Lazy<GuideControl>;
-  /** Undefined until the page is created. */
-  readonly overlays: Overlays;
+  /** Do nothing until the page is created. */
+  overlays: Overlays;
 }
 
 /** Opening and saving: files, samples, work of an earlier visit, the page's URL, exports. */
@@ -73,6 +73,22 @@ export interface Overlays {
   openLink(link: string | null): void;
   toggleLook(): void;
   toggleClock(): void;
+}
+
+export function noOverlays(): Overlays {
+  const nothing = (): void => undefined;
+  return {
+    pickFiles: nothing,
+    pickKeys: nothing,
+    pickTangent: nothing,
+    pickReference: nothing,
+    openExport: nothing,
+    openEmbed: nothing,
+    openHelp: nothing,
+    openLink: nothing,
+    toggleLook: nothing,
+    toggleClock: nothing,
+  };
 }
 
 /** Shared by most commands on the view. */

@@ -41,12 +41,12 @@ export const FILES = {
 } satisfies Actions;
 
 export function asked({ viewState, offerImport }: Context): void {
-  viewState.change({ opening: false });
+  viewState.changeOpened({ opening: false });
   offerImport(null);
 }
 
 async function takeFewest({ animation, viewState }: Context, of: number, percent: number): Promise<void> {
-  viewState.change({ fewest: null });
+  viewState.changeOpened({ fewest: null });
   const fewest = await (await animation.get()).takeFewest(of, percent);
-  if (fewest) viewState.change({ fewest });
+  if (fewest) viewState.changeOpened({ fewest });
 }

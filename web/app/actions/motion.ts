@@ -37,7 +37,7 @@ export const MOTION = {
   motion: { run: changeMotion },
   resetMotion: {
     run: ({ session: { store }, viewState }) =>
-      store.edit('motion defaults', (doc) => setMotion(doc, viewState.get().initial?.motion ?? DEFAULT_MOTION)),
+      store.edit('motion defaults', (doc) => setMotion(doc, viewState.opened.initial?.motion ?? DEFAULT_MOTION)),
   },
   endSpeed: {
     run: (context, end: End, speed: number) => changeMotion(context, { [SPEED_NAME[end]]: speed }, SPEED_NAME[end]),
@@ -55,7 +55,7 @@ export const MOTION = {
     run(context, placing: boolean) {
       // A playing shape is hard to click.
       if (placing && context.session.store.get().play.playing) play(context, { playing: false });
-      context.viewState.change({ placing });
+      context.viewState.changeOpened({ placing });
     },
   },
   /** The shown shape and the playing range stay the same. */

@@ -26,10 +26,10 @@ export const PAGE = {
       icon: 'download',
       text: 'Export',
       kind: 'primary',
-      now: ({ viewState }) => ({ disabled: viewState.get().info === null }),
+      now: ({ viewState }) => ({ disabled: viewState.opened.info === null }),
     },
     run(context) {
-      const { info, exporting } = context.viewState.get();
+      const { info, exporting } = context.viewState.opened;
       if (!info) return undefined;
       context.overlays.openExport();
       return planExport(context, exporting.request);
@@ -53,8 +53,8 @@ export const PAGE = {
       icon: 'bookmark',
       now: ({ session: { store }, viewState }) => ({
         hidden: store.get().project === null,
-        pressed: viewState.get().remembered,
-        hint: viewState.get().remembered
+        pressed: viewState.page.remembered,
+        hint: viewState.page.remembered
           ? 'These files are remembered in this browser, on this computer only; click to forget them'
           : 'Remember these files in this browser for the next visit; they stay on this computer',
       }),
@@ -114,7 +114,7 @@ function historyButton(testId: 'undo' | 'redo', verb: string, step: (context: Co
 /** The choice takes effect immediately. Its plan follows later. */
 async function planExport({ viewState, exporting }: Context, chosen: ExportRequest): Promise<void> {
   const request = { ...chosen };
-  viewState.change({ exporting: { request, plan: null } });
+  viewState.changeOpened({ exporting: { request, plan: null } });
   (await exporting.get()).plan(request);
 }
 
@@ -136,8 +136,9 @@ function closeError({ viewState }: Context): void {
 /** Each press of Escape closes or cancels one thing: a dialog, a running task, or a mode. */
 function stepBack(context: Context): void {
   const { viewState, session, guide, fileIntake } = context;
-  const { placing, working, blend, errorMessage, opening } = viewState.get();
-  if (placing) viewState.change({ placing: false });
+  const { working, errorMessage } = viewState.page;
+  const { placing, blend, opening } = viewState.opened;
+  if (placing) viewState.changeOpened({ placing: false });
   else if (working) cancel(context);
   else if (blend) showBlend(context, null);
   else if (errorMessage) closeError(context);

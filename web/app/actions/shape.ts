@@ -21,13 +21,13 @@ export const SHAPE = {
   encoding: { run: changeEncoding },
   resetShape: {
     run: ({ session: { store }, viewState }) =>
-      store.edit('shape defaults', (doc) => setEncoding(doc, viewState.get().initial?.encoding ?? DEFAULT_ENCODING)),
+      store.edit('shape defaults', (doc) => setEncoding(doc, viewState.opened.initial?.encoding ?? DEFAULT_ENCODING)),
   },
   orient: { run: ({ files }, orientation: Orientation) => files.reorient(orientation) },
   /** Sets the up axis, for file formats that do not specify it. */
   standUp: {
     run({ files, viewState }, up: 'y' | 'z') {
-      const { orientation } = viewState.get();
+      const { orientation } = viewState.opened;
       return orientation && files.reorient({ ...orientation, up });
     },
   },

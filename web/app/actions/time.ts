@@ -91,7 +91,7 @@ export const TIME = {
 } satisfies Actions;
 
 /** The user has moved through time, so the welcome can close. */
-function used({ viewState }: Context): void {
+function used({ viewState }: Pick<Context, 'viewState'>): void {
   viewState.change({ welcome: false });
 }
 
@@ -99,7 +99,7 @@ export function play({ session: { store } }: Context, change: Partial<Play>): vo
   store.set({ play: { ...store.get().play, ...change } });
 }
 
-export function seek(context: Context, t: number): void {
+export function seek(context: Pick<Context, 'session' | 'viewState'>, t: number): void {
   const { store, range } = context.session;
   if (!Number.isFinite(t)) return;
   store.set({ time: clampTime(t, range()), play: { ...store.get().play, playing: false } });

@@ -61,7 +61,7 @@ export const VIEW = {
       else marking.patches(what.patches);
     },
   },
-  markLost: { run: ({ display, viewState }) => display.marking.around(viewState.get().indefiniteFace) },
+  markLost: { run: ({ display, viewState }) => display.marking.around(viewState.opened.indefiniteFace) },
   markWarning: { run: ({ display }, index: number | null) => display.marking.warning(index) },
 } satisfies Actions;
 
@@ -86,8 +86,8 @@ function standardView(name: ViewName, label: string, key: string) {
 export function showBlend(context: Context, blend: Blend | null): void {
   const { session, viewState, display } = context;
   const { store } = session;
-  if (blend === viewState.get().blend) return;
+  if (blend === viewState.opened.blend) return;
   if (blend && store.get().play.playing) play(context, { playing: false });
-  viewState.change({ blend });
+  viewState.changeOpened({ blend });
   display.playback.frameLoop.follow(store.get().time);
 }

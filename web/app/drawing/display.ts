@@ -59,18 +59,18 @@ export function createDisplay({ session, area, viewState, feedback, seek, onResi
   };
   const scene = new SceneController(area.viewport, events, area.showFilmLabels);
   void scene.viewer.firstSeen.then(() => performance.mark('shapespline seen'));
-  const yields = (): boolean => viewState.get().working !== null;
+  const yields = (): boolean => viewState.page.working !== null;
   const show = async (frames: FrameSet): Promise<void> => {
     // A request for the open shape ends the display of the first key.
     if (firstKey.isShown) firstKey.end();
     await scene.show(frames, store.get(), range());
-    viewState.change(shownView(frames.frames[0]));
+    viewState.changeOpened(shownView(frames.frames[0]));
   };
   const playback = createPlayback({
     store,
     range,
     sequences: () => workspace.sequences,
-    blend: () => viewState.get().blend?.weights ?? null,
+    blend: () => viewState.opened.blend?.weights ?? null,
     screen: {
       show,
       // The drawing time is known only after the GPU has finished.
@@ -98,15 +98,16 @@ export function createDisplay({ session, area, viewState, feedback, seek, onResi
     scene,
     // Thumbnails are drawn after the main view.
     idle: () => playback.frameLoop.idle().then(() => scene.viewer.finished()),
-    has: (pose) => viewState.get().thumbnails.has(pose),
-    onThumbnail: (pose, url) => viewState.change({ thumbnails: new Map(viewState.get().thumbnails).set(pose, url) }),
+    has: (pose) => viewState.opened.thumbnails.has(pose),
+    onThumbnail: (pose, url) =>
+      viewState.changeOpened({ thumbnails: new Map(viewState.opened.thumbnails).set(pose, url) }),
   });
   const timePictures = createTimePictures({
     sequence,
     isPlaying: () => store.get().play.playing,
     idle: () => playback.frameLoop.idle(),
     draw: (frame) => scene.timePicture(frame, store.get(), range()),
-    onPicture: (timePicture) => viewState.change({ timePicture }),
+    onPicture: (timePicture) => viewState.changeOpened({ timePicture }),
   });
   const pinPaths = createPinPaths({
     motion: sequence,
@@ -120,9 +121,9 @@ export function createDisplay({ session, area, viewState, feedback, seek, onResi
     range,
     onError,
     seek,
-    warnings: () => viewState.get().warnings,
+    warnings: () => viewState.opened.warnings,
     keyTimes: () => store.get().doc.keys.map(({ time }) => time),
-    onWarning: (shownWarning) => viewState.change({ shownWarning }),
+    onWarning: (shownWarning) => viewState.changeOpened({ shownWarning }),
   });
   return { scene, playback, firstKey, thumbnails, timePictures, marking, pinPaths };
 }

@@ -51,7 +51,7 @@ export class ExportController {
     const { time } = session.store.get();
     const asked = { sequence, time, playing: this.playing, window: display.scene.viewer.canvas, signal };
     const tell = (plan: ExportPlan): void => {
-      if (viewState.get().exporting.request === request) viewState.change({ exporting: { request, plan } });
+      if (viewState.opened.exporting.request === request) viewState.changeOpened({ exporting: { request, plan } });
     };
     exporting()
       .then(({ describeExport }) => describeExport(request, asked))
@@ -101,7 +101,7 @@ export class ExportController {
   /** The typed name, or that of the files. */
   private get name(): string {
     const { session, viewState } = this.parts;
-    const { request } = viewState.get().exporting;
+    const { request } = viewState.opened.exporting;
     return safeName(request.name) || exportName(session.store.get().source, session.workspace.info);
   }
 
@@ -132,7 +132,7 @@ export class ExportController {
       turn: turned(display.scene.viewer),
       async analyseAt(times, report, stop) {
         const what = analysis.input();
-        if (!what || !viewState.get().shellBending) return what && analyseAt(what, times, report, stop);
+        if (!what || !viewState.page.charts.shellBending) return what && analyseAt(what, times, report, stop);
         const half = await analyseAt(what, times, (fraction) => report(fraction / 2), stop);
         const { withShellBendings } = await import('../analysis/shell-bendings.ts');
         return withShellBendings(half, what, {
@@ -151,7 +151,7 @@ export class ExportController {
     const { session, display, viewState } = this.parts;
     session.store.set({ time: t });
     // Exports contain the motion, so a blend is hidden first.
-    if (viewState.get().blend) viewState.change({ blend: null });
+    if (viewState.opened.blend) viewState.changeOpened({ blend: null });
     await display.playback.frameLoop.request(t);
   }
 }

@@ -9,7 +9,8 @@ import type { FacesFigure, FacesFigureEvents, FacesFigureProps } from './faces-f
 import { createMeasureCharts } from './measure-charts.ts';
 import { createShapePlaneFigure } from './shape-plane-figure.ts';
 import type { ShapePlaneFigure } from './shape-plane-figure.ts';
-import type { Blend } from '../view/view-state.ts';
+import { NO_CHOICES } from '../view/view-state.ts';
+import type { Blend, ChartChoices } from '../view/view-state.ts';
 
 export interface AnalysisPanelEvents extends FacesFigureEvents, BendingEvents {
   onSpeed(end: End, speed: number): void;
@@ -19,6 +20,7 @@ export interface AnalysisPanelEvents extends FacesFigureEvents, BendingEvents {
 export interface AnalysisPanelProps {
   time: number;
   colouring: Colouring;
+  charts: ChartChoices;
   blend: Parameters<ShapePlaneFigure['setBlend']>[0];
   keys: Parameters<ShapePlaneFigure['setBlend']>[1];
   speeds: Parameters<ShapePlaneFigure['setSpeeds']>[0];
@@ -40,14 +42,14 @@ export function createAnalysisPanel(
   cache: AnalysisCache,
   events: AnalysisPanelEvents,
 ): AnalysisPanel {
-  const { onSpeed, onBlend, onEnlarge, onError } = events;
-  const plane = createShapePlaneFigure(cache.input, { onSpeed, onBlend, onEnlarge, onError });
+  const { onError } = events;
+  const plane = createShapePlaneFigure(cache.input, events);
   const faces = lazyComponent<FacesFigureProps, FacesFigure>(async () => {
     const { createFacesFigure } = await import('./faces-figure.ts');
     return createFacesFigure(cache.input, events);
   }, onError);
   void faces.need();
-  let facesProps: FacesFigureProps = { cursor: 0, colouring: 'texture', version: 0 };
+  let facesProps: FacesFigureProps = { cursor: 0, colouring: 'texture', charts: NO_CHOICES, version: 0 };
   const updateFaces = (change: Partial<FacesFigureProps>): void => {
     facesProps = { ...facesProps, ...change };
     faces.update(facesProps);
@@ -95,9 +97,11 @@ export function createAnalysisPanel(
 
   return {
     element,
-    update({ time, colouring, blend, keys, speeds, maxSpeeds }) {
+    update({ time, colouring, charts: chosen, blend, keys, speeds, maxSpeeds }) {
       setCursor(time);
-      updateFaces({ colouring });
+      updateFaces({ colouring, charts: chosen });
+      charts.choose(chosen);
+      plane.choose(chosen);
       plane.setBlend(blend, keys);
       plane.setSpeeds(speeds, maxSpeeds);
     },

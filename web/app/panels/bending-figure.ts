@@ -7,14 +7,11 @@ import { checkbox } from '../../ui/controls.ts';
 import { h, setAttribute } from '../../ui/dom.ts';
 import type { Analysis, AnalysisInput } from '../analysis/analysis.ts';
 import { shellBendings } from '../analysis/shell-bendings.ts';
-import type { ChartData, ChartEvents } from './chart-figure.ts';
+import type { ChartData, ChartEvents, ChoiceEvents } from './chart-figure.ts';
 import { createValuedChart, motionCurves } from './valued-chart.ts';
 import { createWorkingLine } from './working-line.ts';
 
-export interface BendingEvents extends ChartEvents {
-  /** The choice, which also applies to tables. */
-  onShellBending(on: boolean): void;
-}
+export interface BendingEvents extends ChartEvents, ChoiceEvents {}
 
 export interface BendingFigure {
   element: HTMLElement;
@@ -23,6 +20,8 @@ export interface BendingFigure {
   outdate(): void;
   /** The computed share of the next analysis; null if none is being computed. */
   setWorking(fraction: number | null): void;
+  /** Also measures by edge lengths and angles, which then applies to tables, too. */
+  setShell(on: boolean): void;
   setCursor(t: number): void;
 }
 
@@ -41,7 +40,8 @@ const MIN_BENDING = 1;
 export function createBendingFigure(input: () => AnalysisInput | null, events: BendingEvents): BendingFigure {
   const figure = createValuedChart('bending', 'Bending energy', BENDING, events);
   figure.element.title = BENDING_UNIT;
-  const toggle = checkbox(CHOICE, 'bending-shell', (on) => choose(on));
+  const choose = (shellBending: boolean): void => events.onCharts({ shellBending });
+  const toggle = checkbox(CHOICE, 'bending-shell', choose);
   toggle.element.title = CHOICE_HINT;
   const working = createWorkingLine('bending', 'Stop measuring', () => choose(false));
   working.element.classList.add('card', 'over-plot');
@@ -53,12 +53,6 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
   let analysing = false;
   let cursor = 0;
 
-  const choose = (on: boolean): void => {
-    byShell = on;
-    toggle.update(on);
-    events.onShellBending(on);
-    void show();
-  };
   const showWork = (): void => {
     working.show(analysing || abort !== null, byShell);
     setAttribute(figure.element, 'data-stale', abort !== null);
@@ -109,6 +103,12 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
       analysing = fraction !== null;
       if (fraction !== null) report(WORK, fraction);
       showWork();
+    },
+    setShell(on) {
+      if (on === byShell) return;
+      byShell = on;
+      toggle.update(on);
+      void show();
     },
     setCursor(t) {
       cursor = t;

@@ -3,6 +3,7 @@ import type { Plot } from '../../model/state.ts';
 import { createLineChart } from '../../plots/line-chart.ts';
 import type { LineChart, LineChartData } from '../../plots/line-chart.ts';
 import { h, setText, svg } from '../../ui/dom.ts';
+import type { ChartChoices } from '../view/view-state.ts';
 import { chartNumbers } from './chart-numbers.ts';
 import type { ChartCurves } from './chart-numbers.ts';
 import { addFigureTools } from './figure-tools.ts';
@@ -10,6 +11,11 @@ import type { FigureEvents } from './figure-tools.ts';
 
 export interface ChartEvents extends FigureEvents {
   onSeek(t: number): void;
+}
+
+/** Reports choices inside charts. */
+export interface ChoiceEvents {
+  onCharts(choices: Partial<ChartChoices>): void;
 }
 
 export interface ChartCaption {

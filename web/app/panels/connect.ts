@@ -4,25 +4,26 @@ import type { Range } from '../../model/time-scale.ts';
 import type { Component } from '../../ui/dom.ts';
 import type { Theme } from '../../ui/theme.ts';
 import type { Context } from '../actions/context.ts';
-import type { ViewState } from '../view/view-state.ts';
+import type { OpenedState, PageState } from '../view/view-state.ts';
 
 export interface Shown {
   state: AppState;
-  viewState: ViewState;
+  page: PageState;
+  opened: OpenedState;
   range: Range;
   theme: Theme;
   /** Whether nothing is open. */
   disabled: boolean;
 }
 
-export function shownOf({ session: { store, range }, viewState, theme }: Context): Shown {
-  const shown = viewState.get();
+export function shownOf({ session: { store, range }, viewState: { page, opened }, theme }: Context): Shown {
   return {
     state: store.get(),
-    viewState: shown,
+    page,
+    opened,
     range: range(),
     theme: theme.theme(),
-    disabled: shown.info === null,
+    disabled: opened.info === null,
   };
 }
 

@@ -6,14 +6,16 @@ import { h, setText } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
 import type { Compared } from '../analysis/motion-distance.ts';
-import type { ChartEvents } from './chart-figure.ts';
+import type { ChartEvents, ChoiceEvents } from './chart-figure.ts';
+import { NO_CHOICES } from '../view/view-state.ts';
+import type { ChartChoices } from '../view/view-state.ts';
 import type { DistanceFigure, DistanceFigureProps } from './distance-figure.ts';
 import { createFaceCharts } from './face-charts.ts';
 import { createPatchCharts } from './patch-charts.ts';
 import { createPickedPart } from './picked-part.ts';
 import type { Part } from './picked-part.ts';
 
-export interface FacesFigureEvents extends ChartEvents {
+export interface FacesFigureEvents extends ChartEvents, ChoiceEvents {
   onColouring(colouring: Colouring): void;
   /** Reference of distances; null if nothing is open. */
   compared(): Compared | null;
@@ -27,6 +29,7 @@ export interface FacesFigureEvents extends ChartEvents {
 export interface FacesFigureProps {
   cursor: number;
   colouring: Colouring;
+  charts: ChartChoices;
   /** A number that increases when the motions may have changed. */
   version: number;
 }
@@ -43,7 +46,8 @@ type Heat = FaceAmount | 'distance' | 'none';
 const HINT = 'Click the shape to plot a face’s coordinates over time.';
 
 export function createFacesFigure(input: () => AnalysisInput | null, events: FacesFigureEvents): FacesFigure {
-  const { onMark, onError } = events;
+  const { onMark, onCharts, onError } = events;
+  let charts = NO_CHOICES;
   const colours = createSurfaceColours(input, events);
   const choice = segments<Part>(
     'Coordinates over time',
@@ -52,21 +56,21 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       { value: 'face', label: 'Face', hint: 'Rotation of a face within its patch, and its stretch' },
       { value: 'patch', label: 'Patch', hint: 'Rotation of a patch relative to its neighbours, and its stretch' },
     ],
-    (value) => {
-      choose(value);
-      parts[value].show(parts[value].index);
-    },
+    (part) => onCharts({ part }),
   );
   const said = h('span', { class: 'muted', 'aria-live': 'polite', 'data-testid': 'face-patch' });
-  let chosen: Part = 'face';
   const eventsOf = (part: Part) => ({
     input,
-    onWords: (words: string) => chosen === part && setText(said, words),
+    onPick: (index: number | null) => onCharts({ [part]: index }),
+    onWords: (words: string) => charts.part === part && setText(said, words),
     onError,
   });
-  const neighbours = createPatchCharts(events, (neighbour) => {
-    const { index } = parts.patch;
-    if (index !== null) onMark({ patches: [index, ...(neighbour === null ? [] : [neighbour])] });
+  const neighbours = createPatchCharts({
+    ...events,
+    onPair(neighbour) {
+      if (charts.patch !== null) onMark({ patches: [charts.patch, ...(neighbour === null ? [] : [neighbour])] });
+    },
+    onNeighbour: (neighbour) => onCharts({ neighbour }),
   });
   const parts = {
     face: createPickedPart('face', createFaceCharts(events), {
@@ -79,13 +83,16 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
       onShow: (patch) => patch === null && onMark(null),
     }),
   };
-  const choose = (next: Part): void => {
-    chosen = next;
-    choice.update(next);
-    parts.face.setHidden(next !== 'face');
-    parts.patch.setHidden(next !== 'patch');
+  const choose = (next: ChartChoices): void => {
+    const before = charts;
+    charts = next;
+    const { part } = next;
+    choice.update(part);
+    neighbours.setNeighbour(next.neighbour);
+    for (const one of ['face', 'patch'] as const) parts[one].setHidden(one !== part);
+    if (before.part !== part || before[part] !== next[part]) parts[part].show(next[part]);
   };
-  choose(chosen);
+  choose(charts);
   const element = h(
     'section',
     { class: 'group', 'aria-label': 'Patches and faces', 'data-testid': 'faces' },
@@ -103,16 +110,19 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     clicked(pick) {
       if (!element.checkVisibility()) return;
       const face = pick();
-      const part = parts[chosen];
-      if (face < 0 && part.index === null) return;
-      if (face < 0 || part === parts.face) part.show(face < 0 ? null : face);
-      else patchAt(input(), face).then(part.show, onError);
+      const { part } = charts;
+      const picked = (index: number | null): void =>
+        index === charts[part] ? parts[part].show(index) : onCharts({ [part]: index });
+      if (face < 0 && charts[part] === null) return;
+      if (face < 0 || part === 'face') picked(face < 0 ? null : face);
+      else patchAt(input(), face).then(picked, onError);
       if (face >= 0) element.scrollIntoView({ block: 'nearest' });
     },
     update(props) {
       colours.update(props);
       for (const part of Object.values(parts)) part.setCursor(props.cursor);
-      if (props.version !== version) parts[chosen].refresh();
+      if (props.charts !== charts) choose(props.charts);
+      if (props.version !== version) parts[charts.part].refresh();
       version = props.version;
     },
   };

@@ -38,7 +38,7 @@ export function connectImportDialog({
     onError,
     element,
   );
-  return connect(dialog, ({ viewState: { opening } }) => {
+  return connect(dialog, ({ opened: { opening } }) => {
     if (opening) void dialog.need();
     return opening;
   });

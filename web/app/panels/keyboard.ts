@@ -24,13 +24,13 @@ export function listenToKeys({ viewState }: Context, commands: Commands): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.altKey || document.querySelector('dialog[open]')) return;
     const ctrl = event.ctrlKey || event.metaKey;
-    if (!ctrl && (isTyping(event.target) || !viewState.get().singleKeys)) return;
+    if (!ctrl && (isTyping(event.target) || !viewState.page.singleKeys)) return;
     if (!ctrl && (event.key === ' ' || event.key === 'Enter') && isPressable(event.target)) return;
     const id = byKey.get(nameOf(event, ctrl));
     if (!id) return;
     event.preventDefault();
     // The import dialog covers the panels.
-    if ((ACTIONS[id] as Action).edits && viewState.get().opening) commands.asked();
+    if ((ACTIONS[id] as Action).edits && viewState.opened.opening) commands.asked();
     void (commands[id] as () => unknown)();
   });
 }
@@ -43,7 +43,7 @@ export function listenToArrows(
 ): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || usesArrows(event.target)) return;
-    if (!viewState.get().info || event.target === viewport || document.querySelector('dialog[open]')) return;
+    if (!viewState.opened.info || event.target === viewport || document.querySelector('dialog[open]')) return;
     const page = store.get().view.present === null ? undefined : PAGES[event.key];
     if (page !== undefined) commands.turnPage(page);
     else if (!commands.step(event)) return;

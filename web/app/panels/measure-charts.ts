@@ -4,6 +4,7 @@ import type { MotionMeasures } from '../../study/motion-measures.ts';
 import { h, setHidden } from '../../ui/dom.ts';
 import { relativeToFirstKey } from '../analysis/analysis.ts';
 import type { Analysis, AnalysisInput } from '../analysis/analysis.ts';
+import type { ChartChoices } from '../view/view-state.ts';
 import { createBendingFigure } from './bending-figure.ts';
 import type { BendingEvents } from './bending-figure.ts';
 import { legendEntry } from './chart-figure.ts';
@@ -19,6 +20,7 @@ export interface MeasureCharts {
   outdate(): void;
   /** The computed share of the next analysis; null if none is being computed. */
   setWorking(fraction: number | null): void;
+  choose(choices: ChartChoices): void;
   setCursor(t: number): void;
 }
 
@@ -57,6 +59,7 @@ export function createMeasureCharts(input: () => AnalysisInput | null, events: B
     },
     outdate: bending.outdate,
     setWorking: bending.setWorking,
+    choose: ({ shellBending }) => bending.setShell(shellBending),
     setCursor(t) {
       for (const one of charts) one.setCursor(t);
     },

@@ -45,7 +45,7 @@ export function createDialogs(commands: Commands, connect: Connect, onError: (er
   return {
     elements: [
       connect(exporting, exportProps),
-      connect(help, ({ viewState }) => viewState.singleKeys),
+      connect(help, ({ page }) => page.singleKeys),
       link.element,
       embed.element,
     ],
@@ -56,15 +56,15 @@ export function createDialogs(commands: Commands, connect: Connect, onError: (er
   };
 }
 
-function exportProps({ state: { play, source }, viewState, range }: Shown): ExportDialogProps {
+function exportProps({ state: { play, source }, opened, page, range }: Shown): ExportDialogProps {
   return {
-    ...viewState.exporting,
+    ...opened.exporting,
     source,
-    info: viewState.info,
+    info: opened.info,
     range: playRange(play.between, range),
     fps: play.fps,
     speed: play.speed,
-    videoFormats: viewState.videoFormats,
+    videoFormats: page.videoFormats,
   };
 }
 

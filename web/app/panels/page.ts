@@ -3,7 +3,7 @@ import { REFUSED } from '../../ui/controls.ts';
 import { setAttribute } from '../../ui/dom.ts';
 import { createHeader } from '../../ui/header.ts';
 import { listenToCamera } from '../../viewer/camera-keys.ts';
-import type { Context, Overlays } from '../actions/context.ts';
+import type { Context } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
 import { ownFiles } from '../sources/own-files.ts';
 import type { Offers } from '../view/offers.ts';
@@ -33,13 +33,8 @@ export interface PageParts {
   onDrawn(): void;
 }
 
-export interface Page {
-  overlays: Overlays;
-  /** Schedules a redraw on the next animation frame. */
-  redraw(): void;
-}
-
-export function createPage(parts: PageParts): Page {
+/** Returns a function that schedules a redraw on the next animation frame. */
+export function createPage(parts: PageParts): () => void {
   const { root, layout, context, commands, offers } = parts;
   const { store } = context.session;
   const { feedback } = context;
@@ -81,8 +76,8 @@ export function createPage(parts: PageParts): Page {
   const redraw = onNextFrame(() => {
     if (waits(context)) return;
     const shown = shownOf(context);
-    const { placing, seen } = shown.viewState;
-    setAttribute(layout.viewport, 'data-placing', placing);
+    const { seen } = shown.page;
+    setAttribute(layout.viewport, 'data-placing', shown.opened.placing);
     setAttribute(layout.viewport, 'data-dimmed', seen === 'dimmed' && !shown.disabled);
     // The shown shape's motion does not exist yet.
     setAttribute(layout.viewport.closest('.app')!, 'data-gone', seen === 'first key');
@@ -91,12 +86,13 @@ export function createPage(parts: PageParts): Page {
   });
   const { toggleLook } = viewportOverlays;
   const { toggleClock } = timelineArea;
-  return { redraw, overlays: { ...dialogs, ...choosers, toggleLook, toggleClock } };
+  Object.assign(context.overlays, { ...dialogs, ...choosers, toggleLook, toggleClock });
+  return redraw;
 }
 
 /** Components are not updated before the first shape is drawn. */
 function waits({ session: { store }, display: { scene }, viewState }: Context): boolean {
-  return store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.get().errorMessage;
+  return store.get().source.kind !== 'none' && !scene.viewer.hasSeen && !viewState.page.errorMessage;
 }
 
 function onNextFrame(draw: () => void): () => void {
@@ -122,10 +118,10 @@ function header(context: Context, commands: Commands, connect: Connect): HTMLEle
       onTheme: commands.nextTheme,
     },
   );
-  return connect(component, ({ state, viewState, theme }) => ({
-    samples: viewState.samples,
+  return connect(component, ({ state, page, theme }) => ({
+    samples: page.samples,
     sample: state.source.kind === 'sample' ? state.source.id : null,
-    own: ownFiles(state, files.history.all, viewState.shelf),
+    own: ownFiles(state, files.history.all, page.shelf),
     project: state.project,
     theme,
   }));
@@ -138,10 +134,10 @@ function listen({ layout: { viewport }, context, commands }: PageParts, { analys
   listenToArrows(context, viewport, commands);
   listenToCamera(display.scene.viewer, viewport);
   listenToHover(viewport, (x, y) => {
-    if (viewState.get().placing) pins.mark({ x, y });
+    if (viewState.opened.placing) pins.mark({ x, y });
   });
   listenToClicks(viewport, (x, y) => {
-    if (viewState.get().placing) return pins.place({ x, y });
+    if (viewState.opened.placing) return pins.place({ x, y });
     void analysis.need().then((panel) => panel?.clicked(() => display.scene.pick(x, y)));
   });
 }

@@ -17,9 +17,19 @@ interface Loaded {
   common: Pick<LineChartData, 'times' | 'keyTimes' | 'range' | 'dots'>;
 }
 
-/** `onPair`: the neighbour of the drawn rotation; null without neighbours. */
-export function createPatchCharts(events: ChartEvents, onPair: (patch: number | null) => void): PartCharts {
-  const turns = createTurnCharts(events, onPair);
+export interface PatchChartsEvents extends ChartEvents {
+  /** The neighbour of the drawn rotation; null without neighbours. */
+  onPair(patch: number | null): void;
+  onNeighbour(patch: number): void;
+}
+
+export interface PatchCharts extends PartCharts {
+  /** The chosen neighbour; null for the one with the largest rotation. */
+  setNeighbour(patch: number | null): void;
+}
+
+export function createPatchCharts(events: PatchChartsEvents): PatchCharts {
+  const turns = createTurnCharts(events);
   const average = 'area-weighted mean of the principal stretches';
   const stretch = createCoordinateChart('patch-stretch', 'Stretch of the patch', average, events);
   const element = h('div', { class: 'group', hidden: true }, turns.element, stretch.element);
@@ -49,6 +59,7 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
       const { length } = own.neighbours;
       return length === 1 ? '1 neighbour' : `${length} neighbours`;
     },
+    setNeighbour: turns.setNeighbour,
     setCursor(t) {
       for (const one of [turns, stretch]) one.setCursor(t);
     },
@@ -56,26 +67,21 @@ export function createPatchCharts(events: ChartEvents, onPair: (patch: number | 
 }
 
 /** The patch's rotation angle against all neighbours, and its rotation axis against a chosen one. */
-function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) => void) {
+function createTurnCharts(events: PatchChartsEvents) {
   const angles = createCoordinateChart('patch-angles', 'Rotation relative to neighbours', 'angle, degrees', events);
   const turned = 'degrees, as a rotation vector in the axes of the reference pose';
   const rotation = createCoordinateChart('patch-rotation', 'Rotation relative to a neighbour', turned, events);
-  const against = select<string>('Neighbour', 'patch-neighbour', [], (value) => {
-    wanted = Number(value);
-    draw();
-  });
+  const against = select<string>('Neighbour', 'patch-neighbour', [], (value) => events.onNeighbour(Number(value)));
   const element = h('div', { class: 'group' }, angles.element, against.element, rotation.element);
   let loaded: Loaded | null = null;
-  /** The chosen neighbour; defaults to the one with the largest rotation. */
-  let wanted = -1;
+  let wanted: number | null = null;
   const draw = (): void => {
     if (!loaded) return;
     const { own, natural, common } = loaded;
     const of = own.neighbours.find(({ patch }) => patch === wanted) ?? own.neighbours[0];
     setHidden(element, !of);
-    onPair(of?.patch ?? null);
+    events.onPair(of?.patch ?? null);
     if (!of) return;
-    wanted = of.patch;
     against.update(
       String(of.patch),
       own.neighbours.map(({ patch }) => ({ value: String(patch), label: nameOf(patch) })),
@@ -95,6 +101,11 @@ function createTurnCharts(events: ChartEvents, onPair: (patch: number | null) =>
     element,
     draw(next: Loaded): void {
       loaded = next;
+      draw();
+    },
+    setNeighbour(patch: number | null): void {
+      if (patch === wanted) return;
+      wanted = patch;
       draw();
     },
     setCursor(t: number): void {

@@ -3,12 +3,15 @@ import { EngineError } from '../../engine/api/errors.ts';
 import { numberField } from '../../ui/controls.ts';
 import { setField, setHidden } from '../../ui/dom.ts';
 import type { AnalysisInput } from '../analysis/analysis.ts';
+import type { ChartChoices } from '../view/view-state.ts';
 import type { PartCharts } from './face-charts.ts';
 
-export type Part = 'face' | 'patch';
+export type Part = ChartChoices['part'];
 
 export interface PickedPartEvents {
   input(): AnalysisInput | null;
+  /** The user has picked a part, or the picked one does not exist; null for none. */
+  onPick(index: number | null): void;
   /** Reports the shown part; null for none. */
   onShow(index: number | null): void;
   /** Reports the text about the part. */
@@ -22,10 +25,8 @@ const FIELDS = {
   patch: { label: 'Patch, counted from 1', placeholder: 'Patch', first: 1 },
 };
 
-const nothing = (): void => undefined;
-
 export function createPickedPart(part: Part, charts: PartCharts, events: PickedPartEvents) {
-  const { input, onShow, onWords, onError } = events;
+  const { input, onPick, onShow, onWords, onError } = events;
   const { label, placeholder, first } = FIELDS[part];
   const field = numberField({
     label,
@@ -34,46 +35,47 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
     step: 1,
     empty: NaN,
     onInput(value) {
-      if (Number.isNaN(value)) return show(null);
-      const typed = Math.round(value);
-      show(typed - first, (error) => onError(isMissing(error) ? new Error(`There is no ${part} ${typed}.`) : error));
+      typed = Number.isNaN(value) ? null : Math.round(value) - first;
+      onPick(typed);
     },
   });
   field.placeholder = placeholder;
+  let typed: number | null = null;
   let shown: number | null = null;
   let cursor = 0;
   // A part chosen earlier may not exist in another shape or in other patches. This is not an error.
-  const load = (onMissing: (error: unknown) => void = nothing): void => {
-    charts
-      .load(shown, input())
-      .then((words) => {
-        if (words === '' && shown !== null) return;
-        onWords(words);
-        charts.setCursor(cursor);
-      })
-      .catch((error: unknown) => {
-        show(null);
-        onMissing(error);
-      });
+  const fail = (index: number | null, error: unknown): void => {
+    onPick(null);
+    if (index === null || index !== typed) return;
+    onError(isMissing(error) ? new Error(`There is no ${part} ${index + first}.`) : error);
   };
-  const show = (index: number | null, onMissing?: (error: unknown) => void): void => {
-    shown = index;
-    setField(field, index === null ? '' : String(index + first));
-    if (index === null) onWords('');
-    onShow(index);
-    load(onMissing);
+  const load = async (): Promise<void> => {
+    const index = shown;
+    try {
+      const words = await charts.load(index, input());
+      if (words === '' && index !== null) return;
+      onWords(words);
+      charts.setCursor(cursor);
+    } catch (error) {
+      fail(index, error);
+    } finally {
+      typed = null;
+    }
   };
   return {
     field,
     element: charts.element,
-    /** Counted from 0; null if none is picked. */
-    get index(): number | null {
-      return shown;
+    /** Counted from 0; null for none. */
+    show(index: number | null): void {
+      shown = index;
+      setField(field, index === null ? '' : String(index + first));
+      if (index === null) onWords('');
+      onShow(index);
+      void load();
     },
-    show: (index: number | null): void => show(index),
     /** Call when the motion has changed. */
     refresh(): void {
-      if (shown !== null) load();
+      if (shown !== null) void load();
     },
     setHidden(hidden: boolean): void {
       setHidden(field, hidden);

@@ -36,7 +36,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
   /** Pins are shown for the method itself, on the curve, and not in film strips and presentations. */
   const shown = (): boolean => {
     const { doc, view } = store.get();
-    return METHOD[doc.motion.method].holds && !view.film && view.present === null && viewState.get().blend === null;
+    return METHOD[doc.motion.method].holds && !view.film && view.present === null && viewState.opened.blend === null;
   };
   const update = (): void => {
     const isShown = shown();
@@ -48,7 +48,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
   scene.viewer.follow(update);
   const picked = (at: Place): number | null => {
     const face = scene.pick(at.x, at.y);
-    const faces = viewState.get().info?.faces;
+    const faces = viewState.opened.info?.faces;
     return face < 0 || !faces ? null : vertexAt(scene.viewer, faces, face, at);
   };
   return {
@@ -57,7 +57,7 @@ export function createPinsInView(context: Context, commands: Commands): PinsInVi
       const vertex = picked(at);
       if (vertex === null) return feedback.say('That is not part of the shape. Click the shape itself.');
       commands.pins(withPin(pins(), vertex));
-      viewState.change({ placing: false });
+      viewState.changeOpened({ placing: false });
     },
     mark(at) {
       const vertex = picked(at);

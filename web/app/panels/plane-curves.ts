@@ -10,34 +10,40 @@ import type { AnalysisInput } from '../analysis/analysis.ts';
 import { inPlane } from '../analysis/shape-plane.ts';
 import { minimisedCurve, outsideCurves } from '../analysis/plane-overlays.ts';
 import type { MinimisedCurve, OutsideCurve } from '../analysis/plane-overlays.ts';
+import { NO_CHOICES } from '../view/view-state.ts';
+import type { ChartChoices } from '../view/view-state.ts';
+import type { ChoiceEvents } from './chart-figure.ts';
 
 export interface PlaneCurves {
   element: HTMLElement;
   /** Call when the motions may have changed. */
   show(input: AnalysisInput): Promise<void>;
+  choose(choices: PlaneChoices): void;
 }
 
-export interface PlaneCurvesEvents {
+type PlaneChoices = Pick<ChartChoices, 'minimised' | 'samples'>;
+
+export interface PlaneCurvesEvents extends ChoiceEvents {
   onOverlays(overlays: readonly PlaneOverlay[]): void;
   onError(error: unknown): void;
 }
 
-const SAMPLES = 24;
 const MAX_SAMPLES = 400;
 /** Motions outside the plane are slow to encode, so they wait for a pause between edits. */
 const REST_MS = 300;
 const percent = (share: number): string => `${Number((100 * share).toPrecision(2))}\u00a0%`;
 
-export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): PlaneCurves {
+export function createPlaneCurves({ onOverlays, onCharts, onError }: PlaneCurvesEvents): PlaneCurves {
   let input: AnalysisInput | null = null;
   let outside: OutsideCurve[] = [];
   let least = NONE;
   let timer = 0;
   const note = h('p', { class: 'plane-note', 'data-testid': 'plane-notes' });
-  const minimised = createMinimised((found) => {
+  const onFound = (found: Further): void => {
     least = found;
     draw();
-  }, onError);
+  };
+  const minimised = createMinimised({ onFound, onCharts, onError });
   const element = h('div', { class: 'group' }, minimised.element, note);
 
   const draw = (): void => {
@@ -59,6 +65,7 @@ export function createPlaneCurves({ onOverlays, onError }: PlaneCurvesEvents): P
 
   return {
     element,
+    choose: minimised.choose,
     async show(next) {
       input = next;
       outside = [];
@@ -78,11 +85,15 @@ interface Further {
 
 const NONE: Further = { overlays: [], sentences: [] };
 
+interface MinimisedEvents extends ChoiceEvents {
+  onFound(found: Further): void;
+  onError(error: unknown): void;
+}
+
 /** The minimiser's samples, if shown. */
-function createMinimised(onFound: (found: Further) => void, onError: (error: unknown) => void): PlaneCurves {
+function createMinimised({ onFound, onCharts, onError }: MinimisedEvents): PlaneCurves {
   let input: AnalysisInput | null = null;
-  let wanted = false;
-  let samples = SAMPLES;
+  let chosen: PlaneChoices = NO_CHOICES;
   let asked = 0;
   const count = numberField({
     label: 'Samples of the minimisation',
@@ -90,17 +101,10 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     min: 4,
     max: MAX_SAMPLES,
     step: 1,
-    onInput(value) {
-      samples = Math.round(value);
-      setField(count, String(samples));
-      void refresh();
-    },
+    onInput: (value) => onCharts({ samples: Math.round(value) }),
   });
-  count.value = count.defaultValue = String(SAMPLES);
-  const toggle = checkbox('Minimised over', 'minimised', (on) => {
-    wanted = on;
-    void refresh();
-  });
+  count.value = count.defaultValue = String(chosen.samples);
+  const toggle = checkbox('Minimised over', 'minimised', (minimised) => onCharts({ minimised }));
   toggle.element.title =
     'The samples with the least total bending for fixed keys, found by minimising over all of them. The spline ' +
     'finds nearly the same curve from one equation per key';
@@ -110,7 +114,7 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     const spline = input?.sequences.find((one) => one.method === OWN_METHOD && inPlane(one));
     setHidden(element, !spline);
     const mine = ++asked;
-    const found = wanted && spline ? await minimiseBending(spline.sequence, samples, onError) : NONE;
+    const found = chosen.minimised && spline ? await minimiseBending(spline.sequence, chosen.samples, onError) : NONE;
     if (mine === asked) onFound(found);
   };
   return {
@@ -118,6 +122,14 @@ function createMinimised(onFound: (found: Further) => void, onError: (error: unk
     show(next) {
       input = next;
       return refresh();
+    },
+    choose(next) {
+      const same = next.minimised === chosen.minimised && next.samples === chosen.samples;
+      chosen = next;
+      if (same) return;
+      toggle.update(next.minimised);
+      setField(count, String(next.samples));
+      void refresh();
     },
   };
 }

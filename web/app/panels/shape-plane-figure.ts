@@ -11,13 +11,15 @@ import type { AnalysisInput } from '../analysis/analysis.ts';
 import { computeShapePlanes, knownShapes } from '../analysis/shape-plane.ts';
 import type { ShapePlanes } from '../analysis/shape-plane.ts';
 import type { FigureNumbers } from './figure-files.ts';
+import type { ChoiceEvents } from './chart-figure.ts';
 import { addFigureTools } from './figure-tools.ts';
 import type { FigureEvents } from './figure-tools.ts';
 import { createOffCurve } from './off-curve.ts';
 import { createPlaneCurves } from './plane-curves.ts';
+import type { PlaneCurves } from './plane-curves.ts';
 import type { Blend } from '../view/view-state.ts';
 
-export interface ShapePlaneFigureEvents extends FigureEvents {
+export interface ShapePlaneFigureEvents extends FigureEvents, ChoiceEvents {
   onSpeed(end: End, speed: number): void;
   onBlend(blend: Blend | null): void;
 }
@@ -26,6 +28,7 @@ export interface ShapePlaneFigure {
   element: HTMLElement;
   /** Call when the curve has changed. */
   refresh(): void;
+  choose: PlaneCurves['choose'];
   setCursor(t: number): void;
   /** The shape shown instead of the motion's, or null. */
   setBlend(blend: Blend | null, keys: readonly { name: string }[]): void;
@@ -39,7 +42,7 @@ const TITLE =
 
 export function createShapePlaneFigure(
   input: () => AnalysisInput | null,
-  { onSpeed, onBlend, onEnlarge, onError }: ShapePlaneFigureEvents,
+  { onSpeed, onBlend, onEnlarge, onCharts, onError }: ShapePlaneFigureEvents,
 ): ShapePlaneFigure {
   const ends = createEndEvents(onSpeed);
   const offCurve = createOffCurve(() => plot, onBlend);
@@ -50,7 +53,7 @@ export function createShapePlaneFigure(
     onPointKey: offCurve.onPointKey,
     ...ends.events,
   });
-  const curves = createPlaneCurves({ onOverlays: plot.setOverlays, onError });
+  const curves = createPlaneCurves({ onOverlays: plot.setOverlays, onCharts, onError });
   const explained = h('span', { class: 'unit' });
   const title = 'Shape plane';
   const element = h(
@@ -87,6 +90,7 @@ export function createShapePlaneFigure(
       plot.setCursor(t);
       offCurve.setCurvePoint(plot.curvePoint(t));
     },
+    choose: curves.choose,
     setBlend: offCurve.update,
     setSpeeds(speeds, max) {
       ends.setSpeeds(speeds, max);

@@ -64,9 +64,9 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
     splineOptions.element,
   );
   connect(sampling, samplingProps(sampling));
-  connect(splineOptions, ({ state: { doc }, viewState }) => {
+  connect(splineOptions, ({ state: { doc }, opened }) => {
     // The options are loaded after the first shape, which does not need them.
-    if (viewState.ms !== null) void splineOptions.need();
+    if (opened.ms !== null) void splineOptions.need();
     return doc;
   });
   const analysis = createAnalysis(context, commands, onFilled);
@@ -74,11 +74,11 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
     connect(motionPanel, motionProps(context)),
     createShape(context, commands, connect),
     connect(analysis, (shown) => {
-      const { state, viewState } = shown;
-      if (viewState.ms !== null) void analysis.need();
-      const { blend, maxSpeeds } = viewState;
-      const { doc, time, view } = state;
-      return { time, colouring: view.colouring, blend, keys: doc.keys, speeds: endSpeeds(shown), maxSpeeds };
+      const { doc, time, view } = shown.state;
+      const { ms, blend, maxSpeeds } = shown.opened;
+      const { charts } = shown.page;
+      if (ms !== null) void analysis.need();
+      return { time, colouring: view.colouring, blend, keys: doc.keys, speeds: endSpeeds(shown), maxSpeeds, charts };
     }),
   ];
   return { motionPanel, panels, analysis, sampling };
@@ -87,24 +87,24 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
 function motionProps({ session }: Context) {
   const { workspace } = session;
   const poseName = (pose: number): string => workspace.pool?.keys.info.names[pose] ?? '';
-  return ({ state: { doc, view }, viewState, range, disabled }: Shown) => ({
+  return ({ state: { doc, view }, opened, range, disabled }: Shown) => ({
     motion: doc.motion,
     encoding: doc.encoding,
     compare: view.compare,
     fitted: session.sequence()?.fitted ?? null,
-    maxSpeeds: viewState.maxSpeeds,
+    maxSpeeds: opened.maxSpeeds,
     keys: doc.keys,
     poseName,
-    placing: viewState.placing,
+    placing: opened.placing,
     tightness: tightness(doc),
     period: range[1] - range[0],
     disabled,
-    defaults: viewState.initial?.motion ?? DEFAULT_MOTION,
+    defaults: opened.initial?.motion ?? DEFAULT_MOTION,
   });
 }
 
 function samplingProps({ need }: Sidebar['sampling']) {
-  return ({ state: { source }, viewState: { info, fewest, original } }: Shown): SamplingProps => {
+  return ({ state: { source }, opened: { info, fewest, original } }: Shown): SamplingProps => {
     const own = source.kind === 'files' ? info : null;
     if (own?.animations.some(({ moves }) => moves)) void need();
     return { info: own, fewest, original };
@@ -120,31 +120,31 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
     onOrient: (orientation) => void commands.orient(orientation),
     onObjects: (names) => void commands.objects(names),
   });
-  connect(shapePanel, ({ state: { doc, source }, viewState, disabled }) => ({
+  connect(shapePanel, ({ state: { doc, source }, opened, disabled }) => ({
     encoding: doc.encoding,
     keys: doc.keys,
     reference: referenceKey(doc),
-    info: viewState.info,
-    stats: viewState.stats,
-    threads: viewState.threads,
+    info: opened.info,
+    stats: opened.stats,
+    threads: opened.threads,
     canSample: source.kind === 'files',
-    orientation: viewState.orientation,
-    objects: viewState.objects,
+    orientation: opened.orientation,
+    objects: opened.objects,
     disabled,
-    defaults: viewState.initial?.encoding ?? DEFAULT_ENCODING,
+    defaults: opened.initial?.encoding ?? DEFAULT_ENCODING,
     hasStretches: METHOD[doc.motion.method].space !== 'vertices',
   }));
-  connect(ghostPanel, ({ state: { doc, view }, viewState, disabled }) => ({
+  connect(ghostPanel, ({ state: { doc, view }, opened, disabled }) => ({
     encoding: doc.encoding,
     view,
-    faces: viewState.info?.report.faces ?? 0,
-    stats: viewState.stats,
+    faces: opened.info?.report.faces ?? 0,
+    stats: opened.stats,
     lriMethod: METHOD[doc.motion.method].space === 'lri',
     disabled,
   }));
-  connect(ghostStudy, ({ viewState }) => {
+  connect(ghostStudy, ({ opened }) => {
     // The study is loaded after the first shape, which does not need it.
-    if (viewState.ms !== null) void ghostStudy.need();
+    if (opened.ms !== null) void ghostStudy.need();
   });
   return shapePanel.element;
 }
@@ -159,7 +159,7 @@ function createGhostStudy({ session, feedback, viewState }: Context, commands: C
       store,
       range,
       pool: () => workspace.pool,
-      samples: () => viewState.get().samples,
+      samples: () => viewState.page.samples,
       onEnlarge: commands.enlarge,
       onError,
     });
@@ -167,7 +167,7 @@ function createGhostStudy({ session, feedback, viewState }: Context, commands: C
 }
 
 function createAnalysis(context: Context, commands: Commands, onFilled: () => void): AnalysisContainer {
-  const { session, display, animation } = context;
+  const { session, display, animation, viewState } = context;
   return createAnalysisContainer(
     context.analysis,
     {
@@ -184,7 +184,7 @@ function createAnalysis(context: Context, commands: Commands, onFilled: () => vo
       onLeaveReference: () => void commands.compareWith(null),
       onColouring: (colouring) => commands.view({ colouring }),
       onMark: commands.mark,
-      onShellBending: (shellBending) => context.viewState.change({ shellBending }),
+      onCharts: (part) => viewState.change({ charts: { ...viewState.page.charts, ...part } }),
       onError: context.analysis.onError,
     },
     onFilled,

@@ -20,7 +20,7 @@ import { addReason } from '../actions/keys.ts';
 import type { Commands } from '../actions/table.ts';
 import { warningItems } from '../drawing/marking.ts';
 import { PLAYING_TOLERANCE } from '../drawing/scene-controller.ts';
-import type { ViewState } from '../view/view-state.ts';
+import type { OpenedState } from '../view/view-state.ts';
 import { latest } from './connect.ts';
 import type { Connect, Shown } from './connect.ts';
 
@@ -57,19 +57,19 @@ export function createTimelineArea(
     const { createWarnings } = await import('../../ui/warnings.ts');
     return createWarnings(commands.markWarning);
   }, onError);
-  connect(warnings, ({ viewState }) => ({ items: itemsOf(viewState.warnings), shown: viewState.shownWarning }));
+  connect(warnings, ({ opened }) => ({ items: itemsOf(opened.warnings), shown: opened.shownWarning }));
   const status = createStatusLine((from) => void warnings.need().then((list) => list?.toggle(from)));
   return {
     keyStrip,
     ...createTime(commands, connect),
     warnings: warnings.element,
-    status: connect(status, ({ state, viewState }) => ({
+    status: connect(status, ({ state, opened, page }) => ({
       keys: state.doc.keys.length,
-      vertices: viewState.info?.report.vertices ?? 0,
-      faces: viewState.info?.report.faces ?? 0,
-      ms: viewState.ms,
-      warnings: viewState.warnings.length,
-      offline: viewState.offline,
+      vertices: opened.info?.report.vertices ?? 0,
+      faces: opened.info?.report.faces ?? 0,
+      ms: opened.ms,
+      warnings: opened.warnings.length,
+      offline: page.offline,
     })),
   };
 }
@@ -122,7 +122,7 @@ export function endSpeeds({ state: { doc }, disabled }: Shown): Speeds | null {
 }
 
 function timelineProps(shown: Shown): TimelineProps {
-  const { state, viewState, range, disabled } = shown;
+  const { state, opened, range, disabled } = shown;
   const { doc, play, time, view } = state;
   return {
     ...timeScale(range, doc.keys.length),
@@ -136,29 +136,28 @@ function timelineProps(shown: Shown): TimelineProps {
     between: play.between,
     window: view.window,
     speeds: endSpeeds(shown),
-    maxSpeeds: viewState.maxSpeeds,
+    maxSpeeds: opened.maxSpeeds,
     towards: endTangents(doc),
-    speedCurve: disabled ? null : viewState.speedCurve,
-    picture: viewState.timePicture,
+    speedCurve: disabled ? null : opened.speedCurve,
+    picture: opened.timePicture,
   };
 }
 
-function clockProps({ state: { doc, play, time, view }, viewState, range, disabled }: Shown): ClockMenuProps {
+function clockProps({ state: { doc, play, time, view }, opened: { info }, range, disabled }: Shown): ClockMenuProps {
   const { fps, between } = play;
-  const { info } = viewState;
   return { ...timeScale(range, doc.keys.length), time, fps, between, window: view.window, info, disabled };
 }
 
-function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripProps {
+function keyStripProps({ state, opened, range, disabled }: Shown): KeyStripProps {
   const { doc, time } = state;
   return {
-    keys: keyItems(doc, viewState.thumbnails),
+    keys: keyItems(doc, opened.thumbnails),
     owner: state.source.kind === 'sample' ? state.source.id : state.project,
     time,
     range,
     disabled,
     canRemove: doc.keys.length > 2,
-    components: viewState.stats?.components ?? 1,
+    components: opened.stats?.components ?? 1,
     turns: METHOD[doc.motion.method].turns,
     addReason: addReason(doc.keys, time),
   };
@@ -166,7 +165,7 @@ function keyStripProps({ state, viewState, range, disabled }: Shown): KeyStripPr
 
 // Returns the same list until its content changes, so strip and warnings are not redrawn on every frame.
 const itemsOf = latest(warningItems);
-const keyItems = latest((doc: AppState['doc'], thumbnails: ViewState['thumbnails']): KeyItem[] => {
+const keyItems = latest((doc: AppState['doc'], thumbnails: OpenedState['thumbnails']): KeyItem[] => {
   const reference = referenceKey(doc);
   return doc.keys.map((key, index) => ({
     ...key,

@@ -49,9 +49,9 @@ export function createViewportOverlays(context: Context, commands: Commands, con
     connect(colourBar, () => scene.colourBar),
     connect(createWelcome(commands.pickFiles), (shown) => welcomeProps(shown, context)),
     connect(createPhaseLabel(commands.markLost), phaseProps),
-    connect(viewBar, ({ state, viewState, disabled }) => ({
+    connect(viewBar, ({ state, opened, disabled }) => ({
       view: state.view,
-      up: viewState.orientation?.up ?? null,
+      up: opened.orientation?.up ?? null,
       disabled,
     })),
   ];
@@ -63,8 +63,8 @@ export function createViewportOverlays(context: Context, commands: Commands, con
       strip: view.film,
     })),
     overlays,
-    progress: connect(createProgress(commands.cancel), ({ viewState }) => viewState.working),
-    error: connect(error, ({ viewState }) => viewState.errorMessage),
+    progress: connect(createProgress(commands.cancel), ({ page }) => page.working),
+    error: connect(error, ({ page }) => page.errorMessage),
     fitHint: connect(createFitHint(commands.fit), ({ disabled }) => !disabled && scene.outOfView),
     toggleLook: viewBar.toggleLook,
   };
@@ -72,23 +72,23 @@ export function createViewportOverlays(context: Context, commands: Commands, con
 
 /** No phase for a film strip, which shows many times, or for a first key, which is not part of the open motion. */
 function phaseProps(shown: Shown): PhaseLabelProps {
-  const { state, viewState, disabled } = shown;
-  const none = disabled || state.view.film || viewState.seen === 'first key';
-  const phase = viewState.blend ? OFF_CURVE : shownPhase(shown);
+  const { state, page, opened, disabled } = shown;
+  const none = disabled || state.view.film || page.seen === 'first key';
+  const phase = opened.blend ? OFF_CURVE : shownPhase(shown);
   return {
     phase: none ? null : phase,
     lost: {
-      share: viewState.indefinite / Math.max(viewState.info?.report.faces ?? 0, 1),
-      hasPlace: viewState.indefiniteFace >= 0,
+      share: opened.indefinite / Math.max(opened.info?.report.faces ?? 0, 1),
+      hasPlace: opened.indefiniteFace >= 0,
     },
   };
 }
 
-function welcomeProps({ state: { view }, viewState }: Shown, { display: { scene } }: Context): WelcomeProps {
+function welcomeProps({ state: { view }, page }: Shown, { display: { scene } }: Context): WelcomeProps {
   const labelled = scene.shownLabels.length > 0 && !scene.isSplit;
-  const message = viewState.errorMessage !== null || viewState.working !== null;
+  const message = page.errorMessage !== null || page.working !== null;
   return {
-    wanted: viewState.welcome,
+    wanted: page.welcome,
     isCovered: scene.colourBar !== null || labelled || message,
     // The sentence appears immediately, even before the divider is drawn.
     split: view.split !== null && view.compare.length === 1,

@@ -35,6 +35,7 @@ export interface Session {
   store: Store;
   workspace: Workspace;
   restart: WorkerRestart;
+  listen(events: SessionEvents): void;
   /** The first running sequence. */
   sequence(): Motion | undefined;
   range(): Range;
@@ -44,25 +45,40 @@ export interface Session {
   cancel(): void;
 }
 
-export function createSession(started: StartedEngine, events: SessionEvents): Session {
-  const { onWorking, onApplied, onError, onRestart } = events;
+/** Nothing listens yet. */
+const QUIET: SessionEvents = {
+  onRead: () => undefined,
+  onLarge: () => undefined,
+  onKeys: () => undefined,
+  onGivenUp: () => undefined,
+  onWorking: () => undefined,
+  onApplied: () => undefined,
+  onError: () => undefined,
+  onRestart: () => undefined,
+};
+
+export function createSession(started: StartedEngine): Session {
+  let events = QUIET;
   const store = createStore(EMPTY_STATE);
-  const restart = new WorkerRestart(onRestart);
+  const restart = new WorkerRestart(() => events.onRestart());
   const { engine } = started;
   started.onLost = () => void restart.tryAgain();
   const applied = new AppliedDocument(store);
   /** The state and history of each requested plan. Edits may follow before its motions are made. */
   const asked = new WeakMap<SequencePlan, Parameters<typeof applied.note>>();
   const workspace = new Workspace(engine, {
-    ...events,
-    onProgress: onWorking,
+    onRead: (info) => events.onRead(info),
+    onLarge: () => events.onLarge(),
+    onKeys: (opening) => events.onKeys(opening),
+    onGivenUp: () => events.onGivenUp(),
+    onProgress: (working) => events.onWorking(working),
     onReady(plan) {
       const [state, history] = asked.get(plan) ?? [store.get(), store.history()];
       applied.note(state, history);
-      onApplied();
+      events.onApplied();
     },
     onRefused(error) {
-      onError(error);
+      events.onError(error);
       applied.goBack();
     },
   });
@@ -71,6 +87,9 @@ export function createSession(started: StartedEngine, events: SessionEvents): Se
     store,
     workspace,
     restart,
+    listen(given) {
+      events = given;
+    },
     sequence: () => workspace.sequences[0]?.sequence,
     range: () => motionRange(store.get().doc, workspace.range),
     serve() {

@@ -11,13 +11,14 @@ export interface PageLinkParts {
   say(text: string): void;
   /** The URL names another state. */
   onLink(link: Permalink): void;
-  /** The URL names a page of the guide; null: it no longer does. */
-  onGuide(fragment: string | null): void;
 }
 
 export interface PageLink {
-  /** Opens later changes of the URL. The initial URL is read by the code that opens the page. */
-  listen(): void;
+  /**
+   * Opens later changes of the URL. The initial URL is read by the code that opens the page. `onGuide`: the URL names a
+   * page of the guide; null: it no longer does.
+   */
+  listen(onGuide: (fragment: string | null) => void): void;
   /** The state has changed. Updates the URL once listening. */
   follow(): void;
   copy(): Promise<void>;
@@ -46,10 +47,10 @@ export function unknownLinkMessage(fragment: string): string | null {
  */
 const WRITE_DELAY_MS = 300;
 
-export function createPageLink({ store, initial, say, onLink, onGuide }: PageLinkParts): PageLink {
+export function createPageLink({ store, initial, say, onLink }: PageLinkParts): PageLink {
   let timer = 0;
   let pinned: string | null = null;
-  let listening = false;
+  let guided: ((fragment: string | null) => void) | null = null;
   /** The last fragment written or received. */
   let known = location.hash;
 
@@ -80,9 +81,9 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
     known = hash;
     const page = guideLink(hash);
     const link = readPermalink(hash);
-    if (page) onGuide(page);
+    if (page) guided?.(page);
     else if (link) onLink(link);
-    else if (pinned && hash === '') onGuide(null);
+    else if (pinned && hash === '') guided?.(null);
     else {
       const strange = unknownLinkMessage(hash);
       if (strange) say(strange);
@@ -90,14 +91,14 @@ export function createPageLink({ store, initial, say, onLink, onGuide }: PageLin
   };
 
   return {
-    listen() {
+    listen(onGuide) {
+      guided = onGuide;
       window.addEventListener('hashchange', onChange);
       known = location.hash;
-      listening = true;
       if (initial()) this.follow();
     },
     follow() {
-      if (!listening || timer) return;
+      if (!guided || timer) return;
       timer = window.setTimeout(() => {
         timer = 0;
         if (location.hash !== known) return; // its event will follow

@@ -23,8 +23,44 @@ export interface Blend {
 /** The visible content: the open shape, the dimmed open shape, or the first key of files being opened. */
 export type Seen = 'open' | 'dimmed' | 'first key';
 
-export interface ViewState {
+/** Choices inside charts of the Analysis panel. They stay for other files, but a part that these lack is dropped. */
+export interface ChartChoices {
+  /** Coordinates over time of a face or of a patch. */
+  part: 'face' | 'patch';
+  /** The picked face and patch, counted from 0; null for none. */
+  face: number | null;
+  patch: number | null;
+  /** The patch whose rotation relative to the picked patch is drawn; null for the one with the largest rotation. */
+  neighbour: number | null;
+  /** The minimiser's curve is drawn in the shape plane, with this number of samples. */
+  minimised: boolean;
+  samples: number;
+  /** Bending energy is also measured by edge lengths and angles. */
+  shellBending: boolean;
+}
+
+/** What stays while files are opened. */
+export interface PageState {
   samples: readonly Sample[];
+  working: Working | null;
+  seen: Seen;
+  errorMessage: ErrorMessage | null;
+  welcome: boolean;
+  offline: boolean;
+  /** This browser stores the user's files for the next visit. */
+  remembered: boolean;
+  /** All stored files of the user, the last changed first. */
+  shelf: readonly ProjectOnShelf[];
+  singleKeys: boolean;
+  /** The compared methods before the divider. */
+  beside: readonly Method[];
+  /** Formats that the browser can write; null until the export dialog has requested them. */
+  videoFormats: readonly VideoFormat[] | null;
+  charts: ChartChoices;
+}
+
+/** What belongs to the open files. Opening others starts with `EMPTY_OPENED`. */
+export interface OpenedState {
   info: KeysInfo | null;
   /** Orientation of open files that do not specify it, else null. */
   orientation: Orientation | null;
@@ -35,9 +71,6 @@ export interface ViewState {
   warnings: readonly Warning[];
   /** Index of the warning marked on the shape, or null. */
   shownWarning: number | null;
-  working: Working | null;
-  seen: Seen;
-  errorMessage: ErrorMessage | null;
   stats: SequenceStats | null;
   /** Milliseconds of the last frame. */
   ms: number | null;
@@ -54,19 +87,8 @@ export interface ViewState {
   maxSpeeds: Speeds;
   /** Image of the time under the mouse on the timeline, as a URL; null for none. */
   timePicture: string | null;
-  welcome: boolean;
-  offline: boolean;
-  /** This browser stores the user's files for the next visit. */
-  remembered: boolean;
-  /** All stored files of the user, the last changed first. */
-  shelf: readonly ProjectOnShelf[];
-  singleKeys: boolean;
   /** The next click on the shape pins that vertex. */
   placing: boolean;
-  /** Bending energy is also measured by edge lengths and angles. */
-  shellBending: boolean;
-  /** The compared methods before the divider. */
-  beside: readonly Method[];
   /** Result of the search for the fewest keys of an animation. */
   fewest: Fewest | null;
   /** The animation is shown beside the motion. */
@@ -75,49 +97,43 @@ export interface ViewState {
   opening: boolean;
   /** The blend shown instead of the motion until the time changes. */
   blend: Blend | null;
-  /** Formats that the browser can write; null until the export dialog has requested them. */
-  videoFormats: readonly VideoFormat[] | null;
   exporting: { request: ExportRequest; plan: { text: string; warnings: readonly string[] } | null };
 }
 
-export interface ViewStateHolder {
-  get(): ViewState;
-  change(part: Partial<ViewState>): void;
+export interface ViewState {
+  page: PageState;
+  opened: OpenedState;
 }
 
-/** The view state after opening other files. */
-export function openedView(opened: OpenResult, before: ViewState): Partial<ViewState> {
-  const { info, initial, orientation, objects, source } = opened;
+export interface ViewStateHolder extends Readonly<ViewState> {
+  change(part: Partial<PageState>): void;
+  changeOpened(part: Partial<OpenedState>): void;
+  /** Other files, or the same files in another way, are open. */
+  open(result: OpenResult): void;
+}
+
+/** The state after opening: empty, except for what belongs to the same files. */
+function openedState(
+  { info, initial, orientation, objects, stays, picked }: OpenResult,
+  before: OpenedState,
+): OpenedState {
+  const { original, exporting } = before;
   return {
+    ...EMPTY_OPENED,
+    ...(stays ? { original, exporting } : { exporting: forOtherFiles(exporting.request) }),
     info,
     initial,
     orientation,
     objects,
     warnings: info.warnings,
-    thumbnails: new Map(),
-    speedCurve: null,
-    maxSpeeds: USUAL_MAX_SPEEDS,
-    timePicture: null,
-    placing: false,
-    fewest: null,
-    original: opened.stays === true && before.original,
-    opening: opened.picked ? asksForKeys(info) : opened.stays === true && before.opening,
-    blend: null,
-    stats: null,
-    shownWarning: null,
-    indefinite: 0,
-    indefiniteFace: -1,
-    ms: null,
-    threads: null,
-    welcome: before.welcome && source.kind === 'sample',
-    exporting: opened.stays ? before.exporting : { request: forOtherFiles(before.exporting.request), plan: null },
+    opening: picked ? asksForKeys(info) : stays === true && before.opening,
   };
 }
 
 /** Names and times belong to the files. */
-function forOtherFiles(request: ExportRequest): ExportRequest {
+function forOtherFiles(request: ExportRequest): OpenedState['exporting'] {
   const { name, range, duration, frames, rate } = DEFAULT_REQUEST;
-  return { ...request, name, range, duration, frames, rate };
+  return { request: { ...request, name, range, duration, frames, rate }, plan: null };
 }
 
 /**
@@ -131,7 +147,7 @@ function asksForKeys({ animation, animations, names, project, warnings }: KeysIn
 }
 
 /** The part of the view state that describes the shown frame. */
-export function shownView(frame: Frame | undefined): Partial<ViewState> {
+export function shownView(frame: Frame | undefined): Partial<OpenedState> {
   return {
     ms: frame?.ms ?? null,
     threads: frame?.threads ?? null,
@@ -141,27 +157,63 @@ export function shownView(frame: Frame | undefined): Partial<ViewState> {
 }
 
 export function createViewState(onChange: () => void): ViewStateHolder {
-  let viewState = EMPTY_VIEW_STATE;
+  let page = EMPTY_PAGE;
+  let opened = EMPTY_OPENED;
   return {
-    get: () => viewState,
+    get page() {
+      return page;
+    },
+    get opened() {
+      return opened;
+    },
     change(part) {
-      viewState = { ...viewState, ...part };
+      page = { ...page, ...part };
+      onChange();
+    },
+    changeOpened(part) {
+      opened = { ...opened, ...part };
+      onChange();
+    },
+    open(result) {
+      page = { ...page, welcome: page.welcome && result.source.kind === 'sample' };
+      opened = openedState(result, opened);
       onChange();
     },
   };
 }
 
-const EMPTY_VIEW_STATE: ViewState = {
+export const NO_CHOICES: ChartChoices = {
+  part: 'face',
+  face: null,
+  patch: null,
+  neighbour: null,
+  minimised: false,
+  samples: 24,
+  shellBending: false,
+};
+
+const EMPTY_PAGE: PageState = {
   samples: [],
+  working: null,
+  seen: 'open',
+  errorMessage: null,
+  welcome: true,
+  offline: false,
+  remembered: false,
+  shelf: [],
+  singleKeys: true,
+  beside: [],
+  videoFormats: null,
+  charts: NO_CHOICES,
+};
+
+export const EMPTY_OPENED: OpenedState = {
   info: null,
   orientation: null,
   objects: [],
   initial: null,
   warnings: [],
   shownWarning: null,
-  working: null,
-  seen: 'open',
-  errorMessage: null,
   stats: null,
   ms: null,
   threads: null,
@@ -171,18 +223,10 @@ const EMPTY_VIEW_STATE: ViewState = {
   speedCurve: null,
   maxSpeeds: USUAL_MAX_SPEEDS,
   timePicture: null,
-  welcome: true,
-  offline: false,
-  remembered: false,
-  shelf: [],
-  singleKeys: true,
   placing: false,
-  shellBending: false,
-  beside: [],
   fewest: null,
   original: false,
   opening: false,
   blend: null,
-  videoFormats: null,
   exporting: { request: { ...DEFAULT_REQUEST }, plan: null },
 };
