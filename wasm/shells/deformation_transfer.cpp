@@ -1,10 +1,10 @@
 #include "shells/deformation_transfer.h"
 
-#include <algorithm>
 #include <utility>
 
 #include "core/base/union_find.h"
 #include "core/mesh/triangle.h"
+#include "core/sparse/spring_matrix.h"
 
 namespace shapespline {
 
@@ -33,28 +33,28 @@ Result<DeformationTransfer> DeformationTransfer::create(const std::vector<Triang
   const int vertices = static_cast<int>(reference.size());
   UnionFind sets(vertices);
   std::vector<char> used(vertices);
-  std::vector<Triplet> entries;
+  SpringMatrix matrix(vertices);
   for (const Triangle& f : transfer.faces_) {
     std::array<double, 3> cotangents{};
     if (!isDegenerate(reference[f[0]], reference[f[1]], reference[f[2]]))
       for (int c = 0; c < 3; ++c) {
-        const int i = f[c], j = f[endOf(c)], k = f[oppositeOf(c)];
-        cotangents[c] = cotangent(reference[i] - reference[k], reference[j] - reference[k]) / 2;
-        entries.push_back({i, i, cotangents[c]}), entries.push_back({j, j, cotangents[c]});
-        entries.push_back({std::max(i, j), std::min(i, j), -cotangents[c]});
+        const int i = f[c], j = f[endOf(c)];
+        cotangents[c] = cotangentWeight(reference, f, oppositeOf(c));
+        matrix.add(i, j, cotangents[c]);
         sets.join(i, j);
         used[i] = used[j] = 1;
       }
     transfer.cotangent_.push_back(cotangents);
   }
+  std::vector<double> unused(vertices, 0.0);
   for (int v = 0; v < vertices; ++v) {
     transfer.componentOf_.push_back(used[v] ? sets.find(v) : -1);
-    if (!used[v]) entries.push_back({v, v, 1});
+    if (!used[v]) unused[v] = 1;
   }
-  const SymmetricMatrix matrix = assembleSymmetric(vertices, entries);
-  if (Status status = transfer.solver_.analyse(matrix, reference, Precision::Double, onProgress); !status)
+  const SymmetricMatrix assembled = std::move(matrix).plus(unused);
+  if (Status status = transfer.solver_.analyse(assembled, reference, Precision::Double, onProgress); !status)
     return status.error();
-  if (Status status = transfer.solver_.factorise(matrix); !status) return status.error();
+  if (Status status = transfer.solver_.factorise(assembled); !status) return status.error();
   return transfer;
 }
 

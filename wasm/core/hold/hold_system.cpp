@@ -6,6 +6,7 @@
 #include "core/hold/hold_passes.h"
 #include "core/hold/rigid_groups.h"
 #include "core/mesh/triangle.h"
+#include "core/sparse/spring_matrix.h"
 
 namespace shapespline {
 
@@ -15,41 +16,29 @@ namespace {
 // nothing.
 constexpr double jointStiffness = 10, looseStiffness = 1e-3;
 
-struct Stiffness {
-  std::vector<double> diagonal;
-  std::vector<Triplet> entries;
-
-  void addSpring(int i, int j, double weight) {
-    if (i == j) return;
-    diagonal[i] += weight;
-    diagonal[j] += weight;
-    entries.push_back({std::max(i, j), std::min(i, j), -weight});
-  }
-};
-
-void addFaces(const HoldMesh& mesh, Stiffness& k) {
+void addFaces(const HoldMesh& mesh, SpringMatrix& k) {
   for (std::size_t f = 0; f < mesh.localFrameOf.size(); ++f) {
     if (mesh.localFrameOf[f] < 0) continue;
     const Triangle& t = mesh.shape.faces[f];
-    for (int c = 0; c < 3; ++c) k.addSpring(t[(c + 1) % 3], t[(c + 2) % 3], sideStiffness(mesh, f, c));
+    for (int c = 0; c < 3; ++c) k.add(t[(c + 1) % 3], t[(c + 2) % 3], sideStiffness(mesh, f, c));
   }
 }
 
-void addJoints(const HoldMesh& mesh, Stiffness& k) {
+void addJoints(const HoldMesh& mesh, SpringMatrix& k) {
   const std::vector<double> own = k.diagonal;
   for (const ComponentJoint& joint : mesh.joints) {
     if (!staysJoined(mesh, joint)) continue;
     for (int c = 0; c < 3; ++c) {
       const int i = mesh.shape.faces[joint.anchorFace][c], j = mesh.shape.faces[joint.contactFace][c];
-      k.addSpring(i, j, jointStiffness * (own[i] + own[j]));
+      k.add(i, j, jointStiffness * (own[i] + own[j]));
     }
   }
   for (const LooseVertex& loose : mesh.loose)
-    for (const int v : mesh.shape.faces[loose.anchorFace]) k.addSpring(v, loose.vertex, looseStiffness * own[v]);
+    for (const int v : mesh.shape.faces[loose.anchorFace]) k.add(v, loose.vertex, looseStiffness * own[v]);
 }
 
-Stiffness stiffnessOf(const HoldMesh& mesh) {
-  Stiffness k{std::vector<double>(mesh.shape.vertexCount(), 0.0), {}};
+SpringMatrix stiffnessOf(const HoldMesh& mesh) {
+  SpringMatrix k(mesh.shape.vertexCount());
   addFaces(mesh, k);
   addJoints(mesh, k);
   return k;
@@ -65,9 +54,7 @@ double sizeOf(const Positions& positions) {
 }
 
 double sideStiffness(const HoldMesh& mesh, std::size_t face, int c) {
-  const Positions& p = mesh.shape.poses[mesh.shape.reference];
-  const Triangle& t = mesh.shape.faces[face];
-  return cotangent(p[t[(c + 1) % 3]] - p[t[c]], p[t[(c + 2) % 3]] - p[t[c]]) / 2;
+  return cotangentWeight(mesh.shape.poses[mesh.shape.reference], mesh.shape.faces[face], c);
 }
 
 std::vector<double> stiffnessDiagonal(const HoldMesh& mesh) { return stiffnessOf(mesh).diagonal; }
@@ -94,10 +81,7 @@ std::vector<double> vertexAreas(const HoldMesh& mesh) {
 }
 
 Result<HoldSystem> HoldSystem::create(const HoldMesh& mesh, std::span<const double> weight, Precision precision) {
-  const int count = mesh.shape.vertexCount();
-  Stiffness k = stiffnessOf(mesh);
-  for (int v = 0; v < count; ++v) k.entries.push_back({v, v, k.diagonal[v] + weight[v]});
-  const SymmetricMatrix matrix = assembleSymmetric(count, k.entries);
+  const SymmetricMatrix matrix = stiffnessOf(mesh).plus(weight);
   HoldSystem system;
   system.precision_ = precision == Precision::Single ? Precision::Single : Precision::Double;
   const Positions& reference = mesh.shape.poses[mesh.shape.reference];

@@ -18,8 +18,11 @@ inline bool isDegenerate(const Vec3& a, const Vec3& b, const Vec3& c) {
   return !(u.cross(v).squaredNorm() > degenerateFlatness * degenerateFlatness * longest * longest);
 }
 
-/// Cotangent of the angle between two sides.
-inline double cotangent(const Vec3& u, const Vec3& v) { return u.dot(v) / u.cross(v).norm(); }
+/// Half the cotangent of the angle at corner c: the weight of the opposite side in the cotangent matrix.
+inline double cotangentWeight(const Positions& p, const Triangle& t, int c) {
+  const Vec3 u = p[t[(c + 1) % 3]] - p[t[c]], v = p[t[(c + 2) % 3]] - p[t[c]];
+  return u.dot(v) / u.cross(v).norm() / 2;
+}
 
 inline Vec3 centroidOf(const Positions& p, const Triangle& f) { return (p[f[0]] + p[f[1]] + p[f[2]]) / 3; }
 

@@ -53,7 +53,7 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
     inBlocks(report, faces.size(), [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) {
         if (!hasArea[f]) continue;
-        for (int c = 0; c < 3; ++c) visit(faces[f][c], faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]);
+        for (int c = 0; c < 3; ++c) visit(f, c, faces[f][(c + 1) % 3], faces[f][(c + 2) % 3]);
       }
     });
   };
@@ -62,14 +62,13 @@ CotangentLaplacian cotangentLaplacian(const std::vector<Triangle>& faces, const 
     double value;
   };
   RowSorter<Entry> sorter(count);
-  eachSide(partOf(onProgress, 0.1, 0.3), [&](int, int i, int j) {
+  eachSide(partOf(onProgress, 0.1, 0.3), [&](std::size_t, int, int i, int j) {
     const int a = result.unknown[i], b = result.unknown[j];
     if (a >= 0 && b >= 0) sorter.count(std::min(a, b));
   });
   sorter.allocate();
-  eachSide(partOf(onProgress, 0.3, 0.6), [&](int apex, int i, int j) {
-    const Vec3 u = reference[i] - reference[apex], v = reference[j] - reference[apex];
-    const double weight = cotangent(u, v) / 2;  // cotangent of the angle opposite edge ij
+  eachSide(partOf(onProgress, 0.3, 0.6), [&](std::size_t f, int c, int i, int j) {
+    const double weight = cotangentWeight(reference, faces[f], c);
     const int a = result.unknown[i], b = result.unknown[j];
     if (a >= 0) diagonal[a] += weight;
     if (b >= 0) diagonal[b] += weight;
