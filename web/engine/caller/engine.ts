@@ -1,6 +1,6 @@
 /** The engine over any kind of worker. A failed or cancelled task ends its worker. */
 import type { CallOptions, Engine, Keys, Sequence, Shape } from '../api/api.ts';
-import { cancelled, disposed, invalidOption } from '../api/errors.ts';
+import { cancelled, disposed, invalidOption, untilAborted } from '../api/errors.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
@@ -17,9 +17,11 @@ import {
   encodingOf,
   motionOf,
 } from '../api/options.ts';
-import type { CallName, Program, WorkerFiles } from '../wire/protocol.ts';
+import type { CallName, KeyData, MotionSpec, Program, WorkerFiles } from '../wire/protocol.ts';
 import { keysOfMesh } from './key-mesh.ts';
 import { WorkerClient, type CoreWorker, type FilesWorker, type ShellsWorker, type Spawn } from './worker-client.ts';
+import { MotionClient, type MotionParts } from './motion.ts';
+import { urgency } from './scheduler.ts';
 import { SequenceClient } from './sequence.ts';
 import { ShapeClient, type ShapeParts } from './shape.ts';
 import { SEQUENCE_DEFAULTS } from '../api/types.ts';
@@ -46,7 +48,8 @@ type AnyWorker = CoreWorker | FilesWorker | ShellsWorker;
 export class EngineClient implements Engine {
   private readonly platform: Platform;
   private readonly workers = new Set<AnyWorker>();
-  private readonly shapes = new Set<ShapeClient>();
+  /** The shapes, with those that they are derived from. */
+  private readonly shapes = new Map<ShapeClient, ShapeClient | null>();
   /** Idle workers that have read no invalid files. */
   private readonly idle: { core: CoreWorker | null; files: FilesWorker | null } = { core: null, files: null };
   private over = false;
@@ -102,60 +105,61 @@ export class EngineClient implements Engine {
   }
 
   async encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape> {
-    return this.encoded(keys, checkEncodingOptions(options), call, call?.onProgress, async (shape) => shape);
+    return this.encoded({ keys: dataOf(keys), encoding: checkEncodingOptions(options) }, call, async (shape) => shape);
   }
 
   async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
     const checked = checkSequenceOptions(options);
     const motion = checkRules(motionOf(checked), options);
     const report = call?.onProgress ?? (() => undefined);
-    return this.encoded(keys, encodingOf(checked), call, partOf(report, 0, ENCODING_SHARE), async (shape) => {
+    const part = (from: number, to: number): CallOptions => ({ ...call, onProgress: partOf(report, from, to) });
+    const encoding = encodingOf(checked);
+    return this.encoded({ keys: dataOf(keys), encoding }, part(0, ENCODING_SHARE), async (shape) => {
+      if (isFitted(motion)) (await fitting()).refuseTangents(motion, encoding);
       const spec = shape.spec(motion, shape.parts.keys.info.times);
-      if (isFitted(motion)) return shape.fitted(spec, { ...call, onProgress: partOf(report, ENCODING_SHARE, 1) }, true);
-      const state = await shape.make(spec, { onProgress: partOf(report, ENCODING_SHARE, 1) });
-      return new SequenceClient(shape, spec, state);
+      return new SequenceClient(...(await motionParts(shape, spec, part(ENCODING_SHARE, 1))));
     });
   }
 
   dispose(): void {
     if (this.over) return;
     this.over = true;
-    for (const shape of this.shapes) shape.dispose();
+    for (const shape of this.shapes.keys()) shape.dispose();
     for (const worker of this.workers) worker.terminate(disposed('engine'));
     this.workers.clear();
   }
 
   /** Encodes the keys and calls `goOn` with the shape. Disposes of the shape if that fails or is cancelled. */
   private async encoded<T>(
-    keys: Keys,
-    encoding: EncodingOptions,
+    { keys, encoding, from }: { keys: KeyData; encoding: EncodingOptions; from?: ShapeClient },
     call: CallOptions | undefined,
-    onProgress: CallOptions['onProgress'],
     goOn: (shape: ShapeClient) => Promise<T>,
   ): Promise<T> {
     this.checkAlive();
     checkCall(call);
-    if (!(keys instanceof KeyArrays))
-      throw invalidOption('The keys must come from importKeyframes or createKeys of this engine.');
     const large = keys.info.report.vertices >= LARGE;
     const inTwo = large && Boolean(this.platform.threaded);
     const parts: ShapeParts = {
-      keys: keys.data,
+      keys,
       encoding,
       freshWorker: () => this.coreWorker(),
       workerBeside: inTwo ? () => this.takeCore() : null,
       filesWorker: () => this.filesWorker(),
       glbSize: (request) => this.inFilesWorker(undefined, large, (one) => one.call('glbSize', request)),
-      encode: (other, options, { onProgress, ...rest }) =>
-        this.encoded(new KeyArrays(other), options, rest, onProgress, async (shape) => shape),
       shellsWorker: () => this.started(this.program('shells', this.platform.shellsModule())),
-      onDispose: (gone) => void this.shapes.delete(gone),
+      motion: async (...motion) => new MotionClient(...(await motionParts(...motion))),
+      derive: (shape, other, options, rest) =>
+        this.encoded({ keys: other, encoding: options, from: shape }, rest, async (derived) => derived),
+      onDispose: (gone) => {
+        this.shapes.delete(gone);
+        for (const [shape, origin] of this.shapes) if (origin === gone) shape.dispose();
+      },
     };
     const client = inTwo ? this.coreWorker(true) : this.takeCore();
     return this.task(client, call, async () => {
-      const shape = await ShapeClient.encode(parts, client, { onProgress });
+      const shape = await ShapeClient.encode(parts, client, { onProgress: call?.onProgress });
       const made = await goOn(shape);
-      this.shapes.add(shape);
+      this.shapes.set(shape, from ?? null);
       return made;
     });
   }
@@ -249,6 +253,21 @@ export class EngineClient implements Engine {
   private checkAlive(): void {
     if (this.over) throw disposed('engine');
   }
+}
+
+/** Fits are loaded on demand, because most motions have none. */
+const fitting = () => import('./fitted-motion.ts');
+
+/** Makes a motion in its shape's worker. A motion with fitted shapes gets a derived shape. */
+async function motionParts(shape: ShapeClient, spec: MotionSpec, call?: CallOptions): Promise<MotionParts> {
+  if (isFitted(spec.options)) return (await fitting()).fitMotion(shape, spec, call);
+  const made = shape.scheduler.run(urgency.shown, () => shape.make(spec, call), call?.signal);
+  return [shape, spec, await untilAborted(call?.signal, made)];
+}
+
+function dataOf(keys: Keys): KeyData {
+  if (keys instanceof KeyArrays) return keys.data;
+  throw invalidOption('The keys must come from importKeyframes or createKeys of this engine.');
 }
 
 /** The checks are loaded on demand, because most callers give no scene. */

@@ -1,32 +1,19 @@
 /**
  * Motions of the methods `lengths` and `shell`, and of the option `keepLengths`. Creating one fits shapes between the
- * keys. The motion is then a motion in LRI space through the keys and the fitted shapes, which are the keys of a second
- * shape. Loaded on first use.
+ * keys. The motion is then a motion in LRI space through the keys and the fitted shapes, which are the keys of a
+ * derived shape. Loaded on first use.
  */
-import type { CallOptions, Motion, Sequence } from '../api/api.ts';
+import type { CallOptions, Motion } from '../api/api.ts';
 import { EngineError, invalidOption, untilAborted } from '../api/errors.ts';
 import { METHOD, OWN_METHOD } from '../api/methods.ts';
-import { checkTimes, notUpdated } from '../api/options.ts';
 import { partOf } from '../api/progress.ts';
-import {
-  NO_PLACE,
-  type EncodingOptions,
-  type ExportOptions,
-  type Frame,
-  type Ghost,
-  type KeySpacing,
-  type MotionOptions,
-  type SequenceOptions,
-  type SequenceStats,
-  type ShapePlane,
-  type Warning,
-} from '../api/types.ts';
+import { NO_PLACE, type EncodingOptions, type Ghost, type MotionOptions, type Warning } from '../api/types.ts';
 import type { KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
-import type { ExportSource } from './export-source.ts';
 import { fitCount, fitTimes, type FitTime } from './fit-times.ts';
-import { MotionClient } from './motion.ts';
+import { MotionClient, type MotionParts } from './motion.ts';
 import { meanBending } from './shell-bending.ts';
 import type { ShapeClient } from './shape.ts';
+import { UserKeys } from './user-keys.ts';
 import type { ShellsWorker } from './worker-client.ts';
 
 /** Fitting a coarse mesh with more faces takes too long. */
@@ -55,45 +42,27 @@ interface Coarse {
   samples: Sample[];
 }
 
-/** Fits a motion of `shape` with the options and times of `spec`. The motion has its own inner shape. */
-export async function fitMotion(
-  shape: ShapeClient,
-  spec: MotionSpec,
-  call: CallOptions = {},
-  owner = false,
-): Promise<FittedMotion> {
+/** Fits a motion of `shape` with the options and times of `spec`. */
+export async function fitMotion(shape: ShapeClient, spec: MotionSpec, call: CallOptions = {}): Promise<MotionParts> {
   shape.checkAlive();
-  checkSpec(spec, owner ? shape.parts.encoding : null);
+  checkCount(spec.options, spec.keyTimes.length);
   const full = { signal: call.signal, onProgress: call.onProgress ?? (() => undefined) } as Call;
   const worker = shape.parts.shellsWorker();
   const end = (): void => worker.terminate(invalidOption('The fit has ended.'));
   try {
     const fit = new Fit(shape, spec, worker, full);
-    const motion = await untilAborted(call.signal, fit.run());
-    motion.owner = owner;
-    try {
-      shape.checkAlive();
-    } catch (error) {
-      motion.dispose();
-      throw error;
-    }
-    shape.led.add(motion);
-    return motion;
+    return await untilAborted(call.signal, fit.run());
   } finally {
     end();
   }
 }
 
-/**
- * Rejects end tangents, which are options of the encoding. `encoding`: the shape's, or null if other motions use the
- * shape as well.
- */
-function checkSpec({ options, keyTimes }: MotionSpec, encoding: EncodingOptions | null): void {
-  checkCount(options, keyTimes.length);
-  if ((encoding?.startTangent ?? encoding?.endTangent ?? null) === null) return;
+/** Rejects end tangents, which are options of the encoding, if no other motions use the shape. */
+export function refuseTangents({ method }: MotionOptions, { startTangent, endTangent }: EncodingOptions): void {
+  if (!startTangent && !endTangent) return;
   throw invalidOption(
-    METHOD[options.method].curve === 'fitted'
-      ? `The method '${options.method}' does not support end tangents. Use the method '${OWN_METHOD}'.`
+    METHOD[method].curve === 'fitted'
+      ? `The method '${method}' does not support end tangents. Use the method '${OWN_METHOD}'.`
       : 'The option keepLengths does not support end tangents. Set keepLengths to 0.',
   );
 }
@@ -131,23 +100,23 @@ class Fit {
     this.report = call.onProgress;
   }
 
-  async run(): Promise<FittedMotion> {
+  async run(): Promise<MotionParts> {
     const faces = this.shape.parts.keys.info.faces.length / 3;
-    const led = faces > this.spec.options.spaceFaces ? await this.encodeLed() : null;
+    const ghosted = faces > this.spec.options.spaceFaces ? await this.encodeGhost() : null;
     try {
-      const base = await (led ?? this.shape).motion(this.startOptions(), this.part(led ? 0.2 : 0, STARTED));
-      const ghost = led && (await led.ghost());
-      const fitted = ghost ? await this.fitLed(base, ghost) : await this.fitWhole(base);
+      const base = await (ghosted ?? this.shape).motion(this.startOptions(), this.part(ghosted ? 0.2 : 0, STARTED));
+      const ghost = ghosted && (await ghosted.ghost());
+      const fitted = ghost ? await this.fitGhost(base, ghost) : await this.fitWhole(base);
       const open = base.warnings.filter(({ code }) => code.startsWith('ambiguous-'));
       base.dispose();
       return await this.motionThrough(fitted, open);
     } finally {
-      led?.dispose();
+      ghosted?.dispose();
     }
   }
 
-  /** With a warning if the shape spline bends less: fits on a coarse mesh may lose more than they gain. */
-  private async compare(motion: FittedMotion): Promise<void> {
+  /** A warning if the shape spline bends less: fits on a coarse mesh may lose more than they gain. */
+  private async compare(motion: Motion): Promise<Warning[]> {
     const plain = await this.shape.motion(this.startOptions());
     try {
       const bendingOf = (one: Motion, call: Call): Promise<number> =>
@@ -161,17 +130,17 @@ class Fit {
         await bendingOf(motion, this.part(MADE, COMPARED)),
         await bendingOf(plain, this.part(COMPARED, 1)),
       ];
-      if (own > (1 + NOTICEABLE) * lri) motion.warn(bendsMore(own / lri - 1));
+      return own > (1 + NOTICEABLE) * lri ? [bendsMore(own / lri - 1)] : [];
     } finally {
       plain.dispose();
     }
   }
 
   /** Encodes the shape with a ghost mesh, which becomes the coarse mesh. */
-  private encodeLed(): Promise<ShapeClient> {
-    const { keys, encoding, encode } = this.shape.parts;
+  private encodeGhost(): Promise<ShapeClient> {
+    const { keys, encoding } = this.shape.parts;
     const leading = { ghostFaces: this.spec.options.spaceFaces, transfer: 'exact', placement: 'vertices' } as const;
-    return encode(keys, { ...withoutTangents(encoding), ...leading }, this.part(0, 0.2));
+    return this.shape.derive(keys, { ...withoutTangents(encoding), ...leading }, this.part(0, 0.2));
   }
 
   /** Options of the motion in LRI space that provides the starts of the fits and the weights of the splined lengths. */
@@ -186,7 +155,7 @@ class Fit {
     return this.fit({ faces: info.faces, keys: [...positions], samples: await this.samples(base, starts) });
   }
 
-  private async fitLed(base: Motion, ghost: Ghost): Promise<Fitted> {
+  private async fitGhost(base: Motion, ghost: Ghost): Promise<Fitted> {
     if (ghost.faces.length / 3 > MAX_COARSE)
       throw invalidOption(
         `The shape cannot be simplified enough: its coarse mesh still has ${(ghost.faces.length / 3).toLocaleString('en')} ` +
@@ -254,8 +223,8 @@ class Fit {
   private async motionThrough(
     { shapes, failed, stiff, finished }: Fitted,
     open: readonly Warning[],
-  ): Promise<FittedMotion> {
-    const { keys, encoding, encode } = this.shape.parts;
+  ): Promise<MotionParts> {
+    const { keys, encoding } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);
     const through: KeyData = {
       ...keys,
@@ -267,14 +236,14 @@ class Fit {
       positions: shapes.map((shape, i) => keys.positions[this.times[i]!.key] ?? shape),
     };
     const options = { ...withoutTangents(encoding), reference: at(encoding.reference) };
-    const inner = await encode(through, options, this.part(FITTED, 0.8));
+    const derived = await this.shape.derive(through, options, this.part(FITTED, 0.8));
     try {
       const { inPlace } = this.spec.options;
-      const spec = inner.spec(
+      const spec = derived.spec(
         { ...this.spec.options, method: 'lri', keepLengths: 0, tension: [], bias: [], inPlace },
         through.info.times,
       );
-      const state = await inner.make(spec, this.part(0.8, MADE));
+      const state = await derived.make(spec, this.part(0.8, MADE));
       const warnings = [
         ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
         ...failed.map(notFitted),
@@ -282,12 +251,13 @@ class Fit {
         ...(finished ? [] : [UNFINISHED]),
       ];
       const fitted = this.spec.keyTimes.slice(1).map((_, i) => !failed.includes(i + 1) && !stiff.includes(i + 1));
-      const motion = new FittedMotion(this.shape, this.spec, inner, spec, { ...state, warnings }, fitted);
       const isMethod = METHOD[this.spec.options.method].curve === 'fitted';
-      if (isMethod && fitted.includes(true)) await this.compare(motion);
-      return motion;
+      if (isMethod && fitted.includes(true))
+        warnings.push(...(await this.compare(new MotionClient(derived, spec, state))));
+      this.shape.checkAlive();
+      return [derived, spec, { ...state, warnings }, new UserKeys(this.shape, this.spec, fitted)];
     } catch (error) {
-      inner.dispose();
+      derived.dispose();
       throw error;
     }
   }
@@ -362,132 +332,4 @@ const UNFINISHED: Warning = {
 
 function withoutTangents(encoding: EncodingOptions): EncodingOptions {
   return { ...encoding, startTangent: null, endTangent: null };
-}
-
-export class FittedMotion extends MotionClient implements Sequence {
-  /** True if no other motion uses the shape of the user's keys; dispose() then releases it. */
-  owner = false;
-
-  /** `outer`, `own`: the shape and spec of the user's keys; `inner`, `innerSpec`: those of the fitted keys. */
-  constructor(
-    private readonly outer: ShapeClient,
-    private readonly own: MotionSpec,
-    inner: ShapeClient,
-    innerSpec: MotionSpec,
-    state: MotionClient['state'],
-    override readonly fitted: readonly boolean[],
-  ) {
-    super(inner, innerSpec, state);
-  }
-
-  override get options(): Readonly<SequenceOptions> {
-    return { ...this.outer.options, ...this.own.options };
-  }
-
-  override get keyTimes(): readonly number[] {
-    return this.own.keyTimes;
-  }
-
-  override async evaluateBlend(): Promise<Frame | null> {
-    throw noBlend();
-  }
-
-  /** The spacing of the user's keys in LRI space, not of the fitted keys. */
-  override async keySpacing(): Promise<KeySpacing> {
-    return this.withPlain((plain) => plain.keySpacing());
-  }
-
-  /** Relative to the deformation between the user's keys, as for other methods. */
-  override async bendingEnergy(times: number[]): Promise<number[]> {
-    const [energies, fitted, keys] = [
-      await super.bendingEnergy(times),
-      await super.keySpacing(),
-      await this.keySpacing(),
-    ];
-    const scale = meanSquare(fitted.distance) / meanSquare(keys.distance);
-    return energies.map((energy) => (Number.isFinite(scale) ? scale * energy : energy));
-  }
-
-  /** The plane of the user's keys in LRI space. The motion leaves it, and its shapes have no weights. */
-  override async shapePlane(times: number[]): Promise<ShapePlane> {
-    const checked = checkTimes(times);
-    return this.withPlain(async (plain) => {
-      const plane = await plain.shapePlane([]);
-      for (const t of checked) {
-        const frame = await this.batch(() => this.frame(t, this.spec));
-        const { curve, distance } = await plain.shapePlaneWith(t, frame.positions);
-        frame.release();
-        plane.curve.push(...curve);
-        plane.distance.push(...distance);
-      }
-      return plane;
-    });
-  }
-
-  /** Runs `ask` with the spline in LRI space through the user's keys. */
-  private async withPlain<T>(ask: (plain: MotionClient) => Promise<T>): Promise<T> {
-    const plain = await this.outer.motion({ method: 'lri', keyTimes: [...this.own.keyTimes] });
-    try {
-      return await ask(plain);
-    } finally {
-      plain.dispose();
-    }
-  }
-
-  /** Adds a warning, before others have the motion. */
-  warn(warning: Warning): void {
-    this.state = { ...this.state, warnings: [...this.state.warnings, warning] };
-  }
-
-  protected override get keysShape(): ShapeClient {
-    return this.outer;
-  }
-
-  async update(): Promise<void> {
-    throw notUpdated(this.own.options);
-  }
-
-  async stats(): Promise<SequenceStats> {
-    return this.shape.stats();
-  }
-
-  async patches(): Promise<Int32Array> {
-    return this.shape.patches();
-  }
-
-  async components(): Promise<Int32Array> {
-    return this.shape.components();
-  }
-
-  async ghost(): Promise<Ghost | null> {
-    return this.shape.ghost();
-  }
-
-  override dispose(): void {
-    super.dispose();
-    this.shape.dispose();
-    this.outer.led.delete(this);
-    if (this.owner) this.outer.dispose();
-  }
-
-  protected override async exportSource(options: ExportOptions): Promise<ExportSource> {
-    if (options.blend) throw noBlend();
-    const source = await super.exportSource(options);
-    return {
-      ...source,
-      keys: this.outer.parts.keys,
-      keyTimes: this.own.keyTimes,
-      options: { ...this.options, inPlace: source.options.inPlace },
-    };
-  }
-}
-
-function meanSquare(values: readonly number[]): number {
-  return values.reduce((sum, value) => sum + value * value, 0) / values.length;
-}
-
-function noBlend() {
-  return invalidOption(
-    "Fitted motions have no mixtures of keys. Choose a method other than 'lengths' and 'shell', and set keepLengths to 0.",
-  );
 }

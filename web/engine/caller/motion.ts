@@ -31,11 +31,15 @@ import type { ExportSource } from './export-source.ts';
 import { FramePool } from './frame-pool.ts';
 import { urgency, type Task } from './scheduler.ts';
 import type { ShapeClient } from './shape.ts';
+import type { UserKeys } from './user-keys.ts';
 
 interface Shown {
   task: Task;
   supersede(): void;
 }
+
+/** A motion through the keys of its shape, or of the shape from which that shape was derived. */
+export type MotionParts = readonly [shape: ShapeClient, spec: MotionSpec, state: MotionState, user?: UserKeys];
 
 /** The queries about a motion. */
 type MotionQuery = {
@@ -49,7 +53,6 @@ const AT_ONCE_MS = 10;
 const exporting = () => import('./export.ts');
 
 export class MotionClient implements Motion {
-  readonly fitted: readonly boolean[] | null = null;
   protected readonly what: string = 'motion';
   private readonly pool = new FramePool();
   private shown: Shown | null = null;
@@ -59,16 +62,18 @@ export class MotionClient implements Motion {
 
   constructor(
     readonly shape: ShapeClient,
-    protected spec: MotionSpec,
+    public spec: MotionSpec,
     protected state: MotionState,
+    protected readonly user: UserKeys | null = null,
   ) {}
 
   get options(): Readonly<SequenceOptions> {
-    return { ...this.shape.options, ...this.spec.options };
+    const { shape, spec } = this.asked;
+    return { ...shape.options, ...spec.options };
   }
 
   get keyTimes(): readonly number[] {
-    return this.spec.keyTimes;
+    return this.asked.spec.keyTimes;
   }
 
   get range(): readonly [number, number] {
@@ -79,6 +84,10 @@ export class MotionClient implements Motion {
     return this.state.warnings;
   }
 
+  get fitted(): readonly boolean[] | null {
+    return this.user?.intervals ?? null;
+  }
+
   async evaluate(t: number): Promise<Frame | null> {
     this.checkAlive();
     checkTime(t);
@@ -87,7 +96,7 @@ export class MotionClient implements Motion {
 
   async evaluateBlend(weights: readonly number[]): Promise<Frame | null> {
     this.checkAlive();
-    const checked = checkWeights(weights, this.spec.keyTimes.length);
+    const checked = this.checkBlend(weights);
     return this.latest(() => this.blendFrame(checked, this.spec));
   }
 
@@ -132,12 +141,9 @@ export class MotionClient implements Motion {
   }
 
   async shapePlane(times: number[]): Promise<ShapePlane> {
-    return this.ask('plane', { times: checkTimes(times), shape: null });
-  }
-
-  /** The plane with the shape of another motion at t as its only point. */
-  async shapePlaneWith(t: number, shape: Float32Array): Promise<ShapePlane> {
-    return this.ask('plane', { times: [t], shape });
+    const checked = checkTimes(times);
+    if (!this.user) return this.ask('plane', { times: checked, shape: null });
+    return this.user.plane(checked, (t) => this.batch(() => this.frame(t, this.spec)));
   }
 
   async discretePath(samples: number): Promise<DiscretePath> {
@@ -153,7 +159,7 @@ export class MotionClient implements Motion {
   }
 
   async keySpacing(): Promise<KeySpacing> {
-    return this.ask('keySpacing', {});
+    return this.user ? this.user.spacing() : this.ask('keySpacing', {});
   }
 
   async motionSpeed(times: number[]): Promise<MotionSpeed> {
@@ -161,7 +167,8 @@ export class MotionClient implements Motion {
   }
 
   async bendingEnergy(times: number[]): Promise<number[]> {
-    return (await this.ask('bending', { times: checkTimes(times) })).energy;
+    const { energy } = await this.ask('bending', { times: checkTimes(times) });
+    return this.user ? this.user.relative(energy, await this.ask('keySpacing', {})) : energy;
   }
 
   async shellBending(times: number[], call: CallOptions = {}): Promise<number[]> {
@@ -170,7 +177,7 @@ export class MotionClient implements Motion {
     const motion = await this.settled();
     const { shellBending } = await import('./shell-bending.ts');
     const frame = (t: number): Promise<Frame> => this.batch(() => this.frame(t, motion));
-    return shellBending({ shape: this.keysShape, range: this.range, frame }, checked, call);
+    return shellBending(this.asked.shape, { range: this.range, frame }, checked, call);
   }
 
   async ghostPositions(t: number): Promise<Float32Array> {
@@ -202,6 +209,7 @@ export class MotionClient implements Motion {
     this.over = true;
     this.supersede();
     this.shape.drop(this.spec);
+    this.user?.end(this.shape);
   }
 
   protected checkAlive(): void {
@@ -215,9 +223,14 @@ export class MotionClient implements Motion {
     return this.spec;
   }
 
-  /** The shape of the user's keys. */
-  protected get keysShape(): ShapeClient {
-    return this.shape;
+  /** The shape of the user's keys, and the options and times of the motion as given. */
+  protected get asked(): { shape: ShapeClient; spec: MotionSpec } {
+    return this.user ?? this;
+  }
+
+  private checkBlend(weights: readonly number[]): number[] {
+    this.user?.refuseBlend();
+    return checkWeights(weights, this.keyTimes.length);
   }
 
   private get faces(): number {
@@ -253,7 +266,7 @@ export class MotionClient implements Motion {
     this.shown = null;
   }
 
-  protected async frame(t: number, motion: MotionSpec): Promise<Frame> {
+  private async frame(t: number, motion: MotionSpec): Promise<Frame> {
     const { buffers, transfer } = this.spare();
     return this.pool.frame(t, await this.shape.ask('evaluate', { motion, t, buffers }, { transfer }));
   }
@@ -269,23 +282,24 @@ export class MotionClient implements Motion {
     return { buffers, transfer: transfer as ArrayBuffer[] };
   }
 
-  protected batch<T>(work: () => Promise<T>): Promise<T> {
+  private batch<T>(work: () => Promise<T>): Promise<T> {
     return this.shape.scheduler.run(urgency.batch, work);
   }
 
-  protected async exportSource({ inPlace, blend }: ExportOptions): Promise<ExportSource> {
-    const weights = blend && checkWeights(blend, this.spec.keyTimes.length);
+  private async exportSource({ inPlace, blend }: ExportOptions): Promise<ExportSource> {
+    const weights = blend && this.checkBlend(blend);
     const settled = await this.settled();
     const motion =
       inPlace && !settled.options.inPlace
         ? this.shape.spec({ ...settled.options, inPlace }, settled.keyTimes)
         : settled;
-    const { keys, filesWorker, glbSize } = this.shape.parts;
+    const { shape, spec } = this.user ?? { shape: this.shape, spec: motion };
+    const { keys, filesWorker, glbSize } = shape.parts;
     return {
       planned: this.planned,
       keys,
-      keyTimes: motion.keyTimes,
-      options: { ...this.shape.options, ...motion.options },
+      keyTimes: spec.keyTimes,
+      options: { ...shape.options, ...spec.options, inPlace: motion.options.inPlace },
       range: this.range,
       filesWorker,
       glbSize,

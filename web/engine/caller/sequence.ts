@@ -13,6 +13,7 @@ export class SequenceClient extends MotionClient implements Sequence {
 
   async update(change: MotionChange): Promise<void> {
     this.checkAlive();
+    if (this.user) throw notUpdated(this.user.spec.options);
     checkRules(checkUpdate(this.spec.options, change).motion, change);
     const given = copied(change); // it may run later
     const work = this.shape.scheduler.run(urgency.shown, async () => {
@@ -46,7 +47,7 @@ export class SequenceClient extends MotionClient implements Sequence {
 
   override dispose(): void {
     super.dispose();
-    this.shape.dispose();
+    this.asked.shape.dispose();
   }
 
   /** Resolves after all updates requested so far. */

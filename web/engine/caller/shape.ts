@@ -1,19 +1,16 @@
 /** A shape on the caller's side: its worker, its request queue, and the data to encode it again. */
-import type { CallOptions, MotionChange, Shape } from '../api/api.ts';
-import { cancelled, disposed, untilAborted } from '../api/errors.ts';
-import { METHOD, isFitted } from '../api/methods.ts';
+import type { CallOptions, Motion, MotionChange, Shape } from '../api/api.ts';
+import { cancelled, disposed } from '../api/errors.ts';
+import { METHOD } from '../api/methods.ts';
 import { checkCall, checkRules, checkUpdate } from '../api/options.ts';
 import { MOTION_DEFAULTS } from '../api/types.ts';
 import type { EncodingOptions, Ghost, MotionOptions, SequenceStats } from '../api/types.ts';
 import type { CoreCallName, KeyData, MotionSpec, MotionState, RequestOf, ResultOf } from '../wire/protocol.ts';
 import { QUERIES, type QueryName } from '../wire/calls.ts';
 import type { ExportSource } from './export-source.ts';
-import type { FittedMotion } from './fitted-motion.ts';
 import { KeyArrays } from './keyframes.ts';
-import { MotionClient } from './motion.ts';
 import { orderInParallel } from './parallel-ordering.ts';
 import { Scheduler, urgency } from './scheduler.ts';
-import type { MeasuredMesh } from './shell-bending.ts';
 import type { CoreWorker, ShellsWorker, WorkerCall } from './worker-client.ts';
 
 export interface ShapeParts {
@@ -26,9 +23,10 @@ export interface ShapeParts {
   /** Starts a worker for exports. */
   filesWorker: ExportSource['filesWorker'];
   glbSize: ExportSource['glbSize'];
-  /** Encodes the keys of a fitted motion. */
-  encode(keys: KeyData, encoding: EncodingOptions, call: CallOptions): Promise<ShapeClient>;
   shellsWorker(): ShellsWorker;
+  motion(shape: ShapeClient, motion: MotionSpec, call?: CallOptions): Promise<Motion>;
+  /** Encodes a shape that is derived from `shape` and ends with it. */
+  derive(shape: ShapeClient, keys: KeyData, encoding: EncodingOptions, call: CallOptions): Promise<ShapeClient>;
   onDispose(shape: ShapeClient): void;
 }
 
@@ -37,10 +35,6 @@ export class ShapeClient implements Shape {
   private motions = 0;
   private hasLri = false;
   private over = false;
-  /** Fitted motions that end with this shape. */
-  readonly led = new Set<FittedMotion>();
-  /** The mesh on which bending is measured, once it is made. */
-  readonly coarse: { mesh: MeasuredMesh | null } = { mesh: null };
 
   private constructor(
     readonly parts: ShapeParts,
@@ -57,19 +51,15 @@ export class ShapeClient implements Shape {
     return this.parts.encoding;
   }
 
-  async motion(change: MotionChange = {}, call?: CallOptions): Promise<MotionClient> {
+  async motion(change: MotionChange = {}, call?: CallOptions): Promise<Motion> {
     checkCall(call);
-    const { motion: given, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
-    const motion = checkRules(given, change);
-    const spec = this.spec(motion, keyTimes ?? this.parts.keys.info.times);
-    if (isFitted(motion)) return this.fitted(spec, call);
-    const made = this.scheduler.run(urgency.shown, () => this.make(spec, call), call?.signal);
-    return new MotionClient(this, spec, await untilAborted(call?.signal, made));
+    const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
+    const spec = this.spec(checkRules(motion, change), keyTimes ?? this.parts.keys.info.times);
+    return this.parts.motion(this, spec, call);
   }
 
-  /** A motion with fitted shapes. It is released with this shape; with `owner`, it also releases this shape. */
-  async fitted(spec: MotionSpec, call?: CallOptions, owner = false): Promise<FittedMotion> {
-    return (await import('./fitted-motion.ts')).fitMotion(this, spec, call, owner);
+  derive(keys: KeyData, encoding: EncodingOptions, call: CallOptions): Promise<ShapeClient> {
+    return this.parts.derive(this, keys, encoding, call);
   }
 
   /** A motion that no worker has made yet. */
@@ -114,7 +104,6 @@ export class ShapeClient implements Shape {
   dispose(): void {
     if (this.over) return;
     this.over = true;
-    for (const motion of this.led) motion.dispose();
     this.client.terminate(disposed('shape'));
     this.parts.onDispose(this);
   }

@@ -20,12 +20,15 @@ const COARSE = 0.3;
 type Report = NonNullable<CallOptions['onProgress']>;
 
 /** The measured mesh: the shape's, or a coarse one. */
-export interface MeasuredMesh {
+interface MeasuredMesh {
   faces: Uint32Array;
   keys: readonly Float32Array[];
   /** Positions on this mesh, 3 x its vertices, of a shape. */
   shapeOf(positions: Float32Array): Float32Array;
 }
+
+/** The meshes of shapes that were measured. */
+const MESHES = new WeakMap<ShapeClient, MeasuredMesh>();
 
 /** The motion to measure. */
 interface Measured {
@@ -34,14 +37,16 @@ interface Measured {
 }
 
 export async function shellBending(
-  { shape, ...motion }: Measured & { shape: ShapeClient },
+  shape: ShapeClient,
+  motion: Measured,
   times: readonly number[],
   call: CallOptions,
 ): Promise<number[]> {
   const { signal, onProgress: report = () => undefined } = call;
-  const measured = partOf(report, shape.coarse.mesh ? 0 : COARSE, 1);
-  const mesh = shape.coarse.mesh ?? (await coarseMesh(shape, { ...call, onProgress: partOf(report, 0, COARSE) }));
-  shape.coarse.mesh = mesh;
+  const known = MESHES.get(shape);
+  const measured = partOf(report, known ? 0 : COARSE, 1);
+  const mesh = known ?? (await coarseMesh(shape, { ...call, onProgress: partOf(report, 0, COARSE) }));
+  MESHES.set(shape, mesh);
   const worker = shape.parts.shellsWorker();
   try {
     return await bendingOn(mesh, motion, times, worker, { signal, onProgress: measured });
@@ -102,21 +107,19 @@ function stepsAround(times: readonly number[], step: number) {
  * A function of the keys alone, whatever the shape's encoding. Its vertices are vertices of the shape: then no face is
  * flipped or thin at a key (wasm/core/ghost/simplify.h).
  */
-async function coarseMesh(
-  { parts: { keys, encode } }: ShapeClient,
-  call: CallOptions & { onProgress: Report },
-): Promise<MeasuredMesh> {
+async function coarseMesh(shape: ShapeClient, call: CallOptions & { onProgress: Report }): Promise<MeasuredMesh> {
+  const { keys } = shape.parts;
   const { faces } = keys.info;
   if (faces.length / 3 <= MAX_FACES) return { faces, keys: keys.positions, shapeOf: (positions) => positions.slice() };
-  const led = await encode(
+  const ghosted = await shape.derive(
     keys,
     { ...ENCODING_DEFAULTS, ghostFaces: MAX_FACES, placement: 'vertices' },
     { ...call, onProgress: partOf(call.onProgress, 0, 0.2) },
   );
   try {
-    const motion = await led.motion({}, { ...call, onProgress: partOf(call.onProgress, 0.2, 1) });
+    const motion = await ghosted.motion({}, { ...call, onProgress: partOf(call.onProgress, 0.2, 1) });
     motion.dispose();
-    const ghost = (await led.ghost())!;
+    const ghost = (await ghosted.ghost())!;
     const shapeOf = (positions: Float32Array): Float32Array => {
       const coarse = new Float32Array(3 * ghost.vertexOf.length);
       ghost.vertexOf.forEach((vertex, i) => coarse.set(positions.subarray(3 * vertex, 3 * vertex + 3), 3 * i));
@@ -124,6 +127,6 @@ async function coarseMesh(
     };
     return { faces: ghost.faces, keys: keys.positions.map(shapeOf), shapeOf };
   } finally {
-    led.dispose();
+    ghosted.dispose();
   }
 }
