@@ -355,9 +355,9 @@ TEST_CASE("a pose much larger or smaller than the others is named in a warning")
       files.add(std::string(1, static_cast<char>('a' + k)) + ".obj", square(sizes[k]));
     return imported(files);
   };
-  CHECK(says(read({1, 100}), "sizes-differ", "b.obj (key 2) is 100 times larger than a.obj (key 1)"));
-  CHECK(says(read({100, 1, 1}), "sizes-differ", "a.obj (key 1) is 100 times larger than b.obj (key 2)"));
-  CHECK(says(read({1, 1, 0.001, 1}), "sizes-differ", "c.obj (key 3) is 1,000 times smaller than a.obj (key 1)"));
+  CHECK(says(read({1, 100}), "sizes-differ", "(b.obj) is 100 times larger than a.obj."));
+  CHECK(says(read({100, 1, 1}), "sizes-differ", "(a.obj) is 100 times larger than b.obj."));
+  CHECK(says(read({1, 1, 0.001, 1}), "sizes-differ", "(c.obj) is 1,000 times smaller than a.obj."));
   CHECK(!says(read({1, 15}), "sizes-differ"));
 }
 

@@ -279,7 +279,7 @@ TEST_CASE("several files without an animation are keys; a warning states that no
     const auto result = Files().add("a.glb", boxFile().glb()).add("b.glb", boxFile(1).glb()).import(options);
     REQUIRE(!result.ok());
     CHECK(result.error().code == ErrorCode::UnknownAnimation);
-    CHECK(result.error().message == "a.glb (key 1) has no animation that moves its mesh.");
+    CHECK(result.error().message == "a.glb has no animation that moves its mesh.");
   }
 }
 

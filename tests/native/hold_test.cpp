@@ -480,7 +480,7 @@ TEST_CASE("other intervals stay held beside added turns, and a warning names tho
   };
   REQUIRE(told(held).size() == 1);
   CHECK(told(held)[0].key == 5);
-  CHECK(told(held)[0].message.starts_with("Between key 5 and key 6 "));
+  CHECK(told(held)[0].about == "Between");
   CHECK(told(s).empty());
   turned.hold = false;
   CHECK(told(make(k, turned)).empty());

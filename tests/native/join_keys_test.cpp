@@ -309,12 +309,15 @@ TEST_CASE("equal keys are named, with the reason and advice") {
   REQUIRE(all->warnings.size() == 1);
   CHECK(all->warnings[0].code == "same-poses");
   CHECK(all->warnings[0].count == 3);
-  CHECK(all->warnings[0].message.starts_with("Keys 1, 2 and 3 are the same pose, so nothing moves."));
+  CHECK(all->warnings[0].about == "Keys");
+  CHECK(all->warnings[0].key == 2);
+  CHECK(all->warnings[0].message.starts_with("are the same pose, so nothing moves."));
   CHECK(all->warnings[0].message.find("Apply the modifiers") != std::string::npos);
   const auto some = joined({shared(0), shared(0.2), shared(0.2)});
   REQUIRE(some.ok());
   REQUIRE(some->warnings.size() == 1);
-  CHECK(some->warnings[0].message.starts_with("Keys 2 and 3 are the same pose, so nothing moves between them."));
+  CHECK(some->warnings[0].count == 2);
+  CHECK(some->warnings[0].message.starts_with("are the same pose, so nothing moves between them."));
   // A loop may end as it began.
   CHECK(joined({shared(0), shared(0.2), shared(0)})->warnings.empty());
 }

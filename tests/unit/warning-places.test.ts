@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { momentOf } from '../../web/app/drawing/marking.ts';
-import { renumbered } from '../../web/engine/api/renumbered-warnings.ts';
+import { renumbered, withSentences } from '../../web/engine/api/sentences.ts';
+import type { Warning } from '../../web/engine/api/types.ts';
 import { partOf, withPlaces } from '../../web/app/drawing/warning-places.ts';
 
 // A cube's corners, with one face at the top left front and one at the bottom right back.
@@ -13,6 +14,8 @@ const warning = (code: string, face: number) => ({
   key: 4,
   face,
   patches: [],
+  about: 'Between',
+  text: 'neighbouring regions turn.',
 });
 
 describe('places of warnings', () => {
@@ -37,37 +40,31 @@ describe('places of warnings', () => {
 });
 
 describe('warnings of an import after its keys were changed', () => {
-  const names = ['w0', 'w1', 'w2', 'w3', 'key 3'];
-  const split = { code: 'split-vertices', count: 1, face: -1, patches: [] };
-  const of = (key: number, message: string, poses: number[]) =>
-    renumbered({ ...split, key, message }, names, (pose) => poses.indexOf(pose));
+  const place = { face: -1, patches: [] };
+  const of = (warning: Pick<Warning, 'key' | 'count' | 'about' | 'message'>, poses: number[]) =>
+    renumbered(withSentences([{ ...place, ...warning, code: 'one' }], 10)[0]!, (pose) => poses.indexOf(pose));
+  const split = { key: 2, count: 1, about: 'Key', message: '(w2): torn.' };
 
   it('name and show the key that the pose is now', () => {
-    const warning = of(2, 'w2.obj (key 3): one vertex of key 1 has more.', [0, 2, 3])!;
-    expect(warning).toEqual({ ...split, key: 1, message: 'w2.obj (key 2): one vertex of key 1 has more.' });
+    const warning = of(split, [0, 2, 3])!;
+    expect([warning.key, warning.message]).toEqual([1, 'Key 2 (w2): torn.']);
     expect(momentOf(warning, [0, 1, 3], [0, 3])).toBe(1);
-    const moved = of(2, 'w2.obj (key 3): one vertex of key 1 has more.', [2, 3, 0])!;
-    expect([moved.key, moved.message]).toEqual([0, 'w2.obj (key 1): one vertex of key 3 has more.']);
+    expect(of(split, [2, 3, 0])?.message).toBe('Key 1 (w2): torn.');
   });
 
-  it('are dropped without their key, and name another pose that is no longer a key', () => {
-    expect(of(2, 'w2.obj (key 3): torn.', [0, 1, 3])).toBeNull();
-    expect(of(-1, 'w2.obj (key 3): hidden.', [0, 1, 3])).toBeNull();
-    expect(of(2, 'w2.obj (key 3): as in key 1.', [2, 3])?.message).toBe('w2.obj (key 1): as in the pose “w0”.');
-    expect(of(-1, 'All keys are 2 m high.', [2, 3])).not.toBeNull();
+  it('are dropped without their key, and stay if they have none', () => {
+    expect(of(split, [0, 1, 3])).toBeNull();
+    const all = { key: -1, count: 1, about: '', message: 'All keys are 2 m high.' };
+    expect(of(all, [2, 3])?.message).toBe('All keys are 2 m high.');
   });
 
   it('list the keys that are left, of at least two', () => {
-    const same = 'Keys 2, 3 and 4 are the same pose, so nothing moves.';
-    expect(of(3, same, [3, 0, 1])?.message).toBe('Keys 1 and 3 are the same pose, so nothing moves.');
-    const first = of(3, same, [0, 1, 2])!;
-    expect([first.key, first.message]).toEqual([2, 'Keys 2 and 3 are the same pose, so nothing moves.']);
-    expect(of(3, same, [0, 3])).toBeNull();
-    const many = of(9, 'Keys 1 to 10 are the same.', [0, 1, 2, 3, 4, 5, 6, 7, 9])!;
-    expect([many.key, many.message]).toEqual([8, 'Keys 1 to 9 are the same.']);
-  });
-
-  it('keep numbers in names of files', () => {
-    expect(of(4, 'key 3.obj (key 5): torn.', [4, 2])?.message).toBe('key 3.obj (key 1): torn.');
+    const same = { key: 3, count: 3, about: 'Keys', message: 'are the same pose.' };
+    expect(of(same, [0, 1, 2, 3])?.message).toBe('Keys 2, 3 and 4 are the same pose.');
+    expect(of(same, [3, 0, 1])?.message).toBe('Keys 1 and 3 are the same pose.');
+    expect(of(same, [0, 1, 2])).toMatchObject({ key: 2, message: 'Keys 2 and 3 are the same pose.' });
+    expect(of(same, [0, 3])).toBeNull();
+    const many = of({ ...same, key: 9, count: 10 }, [0, 1, 2, 3, 4, 5, 6, 7, 9])!;
+    expect([many.key, many.message]).toEqual([8, 'Keys 1 to 9 are the same pose.']);
   });
 });

@@ -4,7 +4,7 @@
 
 namespace shapespline {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, patches)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Warning, code, message, count, key, face, patches, about)
 
 }  // namespace shapespline
 

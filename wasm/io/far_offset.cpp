@@ -118,10 +118,13 @@ void warnOfRounding(Import& import) {
     }
     if (rounding > visibleRounding * diagonal) {
       import.warnings.push_back({"distant-keys",
-                                 keys[j].name + " (key " + std::to_string(key + 1) +
-                                     ") is so far from other keys that single precision " +
+                                 "(" + keys[j].name + ") is so far from other keys that single precision " +
                                      roundedBy(rounding, diagonal) + ". Bring the keys closer together.",
-                                 1, key});
+                                 1,
+                                 key,
+                                 -1,
+                                 {},
+                                 "Key"});
       return;
     }
   }

@@ -138,13 +138,12 @@ Result<Import> readWithMotions(const std::vector<MeshFile>& meshes, const Source
   return readGltfKeys(*shapes[0], files, options, placeName(*shapes[0], 0, 1), progress, motions);
 }
 
-// Maps added poses to the vertices of the mesh.
-Result<Import> likeTheMesh(Import&& import, const ImportOptions& options) {
+// Maps added poses to the vertices of the mesh. where: the name of their file.
+Result<Import> likeTheMesh(Import&& import, const ImportOptions& options, const std::string& where) {
   if (options.likePose.empty()) return std::move(import);
   Import mesh;
   mesh.keyframes = {options.like, {{"mesh", 0, options.likePose}}, {}};
   const std::size_t n = options.likePose.size(), count = import.keyframes.vertexCount();
-  const std::string where = import.keyframes.keys[0].name;
   mesh.scene.objects = options.likeObjects;
   if (Status added = KeyJoiner(mesh).add(import.keyframes.faces, import.keyframes.keys, where, import.scene.objects);
       !added)
@@ -199,14 +198,21 @@ void checkOrientation(const std::vector<MeshFile>& meshes, const ImportOptions& 
                       static_cast<int>(count)});
 }
 
-// Adds the file name to an error that names a key.
-Error withFile(Error error, const std::vector<MeshFile>& meshes, const Keyframes& keyframes) {
-  if (meshes.size() == 1) {
-    error.message = placeName(*meshes[0].file, 0, 1) + ": " + error.message;
-  } else if (error.key >= 0 && error.key < static_cast<int>(meshes.size()) &&
-             error.message.starts_with(keyframes.keys[error.key].name)) {
-    error.message.replace(0, keyframes.keys[error.key].name.size(), baseName(meshes[error.key].file->name));
-  }
+// Runs a check whose error names the file: at its start, or as the name of the key if every key has its own file.
+template <class Check>
+Status checkFiles(const std::vector<MeshFile>& meshes, std::vector<Key>& keys, const Check& check) {
+  const bool isOneEach = meshes.size() > 1 && meshes.size() == keys.size();
+  std::vector<std::string> names;
+  for (const MeshFile& mesh : meshes) names.emplace_back(baseName(mesh.file->name));
+  const auto exchange = [&] {
+    for (std::size_t j = 0; isOneEach && j < keys.size(); ++j) std::swap(keys[j].name, names[j]);
+  };
+  exchange();
+  Status status = check();
+  exchange();
+  if (status || meshes.size() > 1) return status;
+  Error error = status.error();
+  error.message = placeName(*meshes[0].file, 0, 1) + ": " + error.message;
   return error;
 }
 
@@ -222,14 +228,16 @@ Result<Import> importChecked(std::span<const NamedBytes> files, const ImportOpti
   // The missing keys may be in skipped files.
   if (!read && read.error().code == ErrorCode::TooFewKeys && !found->others.empty()) return found->others[0];
   if (!read) return read;
-  if (Status local = subtractOffset(*read, options); !local) return withFile(local.error(), meshes, read->keyframes);
-  auto keys = likeTheMesh(std::move(*read), options);
+  const auto subtract = [&] { return subtractOffset(*read, options); };
+  if (Status local = checkFiles(meshes, read->keyframes.keys, subtract); !local) return local.error();
+  auto keys = likeTheMesh(std::move(*read), options, placeName(*meshes[0].file, 0, 1));
   if (!keys) return keys;
   warnOfOthers(found->others, keys->warnings);
   keys->warnings.insert(keys->warnings.end(), found->warnings.begin(), found->warnings.end());
   checkOrientation(meshes, options, keys->warnings);
   if (Status times = setTimes(keys->keyframes, options.keyTimes); !times) return times.error();
-  if (Status valid = validate(keys->keyframes); !valid) return withFile(valid.error(), meshes, keys->keyframes);
+  const auto areValid = [&] { return validate(keys->keyframes); };
+  if (Status valid = checkFiles(meshes, keys->keyframes.keys, areValid); !valid) return valid.error();
   warnOfRounding(*keys);
   warnOfDistantKeys(*keys);
   return keys;

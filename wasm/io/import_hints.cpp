@@ -23,14 +23,6 @@ bool isSamePose(const Positions& a, const Positions& b) {
                     [&](const Vec3& p, const Vec3& q) { return (p - q).squaredNorm() <= distance * distance; });
 }
 
-// Formats the list: 1, 2 and 3.
-std::string keyList(int first, int last) {
-  std::string list = std::to_string(first + 1);
-  if (last - first > 8) return list + " to " + std::to_string(last + 1);
-  for (int key = first + 1; key <= last; ++key) list += (key < last ? ", " : " and ") + std::to_string(key + 1);
-  return list;
-}
-
 std::string whatToDo(const FileFacts& facts) {
   if (!facts.gltf) return " Export each pose as displayed.";
   std::string text =
@@ -139,14 +131,18 @@ void warnOfSamePoses(const FileFacts& facts, Import& import) {
     while (last + 1 < count && isSamePose(keys[first].positions, keys[last + 1].positions)) ++last;
     if (last == first) continue;
     const bool all = last - first + 1 == count;
-    import.warnings.push_back({"same-poses",
-                               "Keys " + keyList(first, last) + " are the same pose, so nothing moves" +
-                                   (all ? "." : " between them.") + whatToDo(facts),
-                               last - first + 1, last});
+    import.warnings.push_back(
+        {"same-poses",
+         "are the same pose, so nothing moves" + std::string(all ? "." : " between them.") + whatToDo(facts),
+         last - first + 1,
+         last,
+         -1,
+         {},
+         "Keys"});
   }
 }
 
-void warnOfSizes(const std::vector<std::string>& where, Import& import) {
+void warnOfSizes(const std::vector<std::string>& files, Import& import) {
   constexpr double suspicious = 20;  // less than the ratio of millimetres to inches
   const std::vector<Key>& keys = import.keyframes.keys;
   std::vector<double> sizes;
@@ -168,11 +164,15 @@ void warnOfSizes(const std::vector<std::string>& where, Import& import) {
   const bool larger = sizes[first] > middle;
   const double ratio = larger ? sizes[first] / sizes[like] : sizes[like] / sizes[first];
   import.warnings.push_back({"sizes-differ",
-                             where[first] + " is " + grouped(std::llround(std::min(ratio, 1e15))) + " times " +
-                                 (larger ? "larger" : "smaller") + " than " + where[like] +
+                             "(" + files[first] + ") is " + grouped(std::llround(std::min(ratio, 1e15))) + " times " +
+                                 (larger ? "larger" : "smaller") + " than " + files[like] +
                                  (count > 1 ? ", and other keys differ as much" : "") +
                                  ". If they are in different units, export all poses in the same unit.",
-                             count, first});
+                             count,
+                             first,
+                             -1,
+                             {},
+                             "Key"});
 }
 
 bool allSame(const Keyframes& keyframes) {

@@ -22,7 +22,7 @@ void warnOfSamePoses(const FileFacts& facts, Import& import);
 
 /// Warns about a key that is much larger or smaller than the others, as in another unit. `where`: display names of the
 /// keys' files.
-void warnOfSizes(const std::vector<std::string>& where, Import& import);
+void warnOfSizes(const std::vector<std::string>& files, Import& import);
 
 /// Whether all keys have the same pose.
 bool allSame(const Keyframes& keyframes);

@@ -77,7 +77,7 @@ Result<Import> importAnimations(const std::vector<MeshFile>& meshes, const Sourc
       out = std::move(*import);
       continue;
     }
-    out->noteRounding(import->rounding, where);
+    out->noteRounding(import->rounding, placeName(*meshes[j].file, 0, 1));
     // Files of one pose each may repeat the pose.
     if (import->keyframes.keyCount() > 1 && sameKeys(first, import->keyframes)) {
       ++repeated;
@@ -116,7 +116,7 @@ Result<Import> importSeries(const NumberedFiles& series, const SourceFiles& file
     const std::string where = placeName(*meshes[index].file, static_cast<int>(index), meshes.size());
     auto pose = reader.read(meshes[index], where);
     if (!pose) return pose.error();
-    out.noteRounding(pose->rounding, where);
+    out.noteRounding(pose->rounding, placeName(*meshes[index].file, 0, 1));
     const std::size_t count = pose->positions.size();
     Import one;
     one.keyframes = {out.keyframes.faces, {out.keyframes.keys[0]}, {}};

@@ -60,11 +60,15 @@ Status addHidden(PoseFile&& pose, const NamedBytes& file, Import& out, const std
   if (Status added = addPose(std::move(pose), keyName(file), out, where); !added) return added;
   const auto isExtra = [](const Warning& warning) { return warning.code == "left-out-objects"; };
   out.warnings.erase(std::remove_if(out.warnings.begin() + said, out.warnings.end(), isExtra), out.warnings.end());
-  out.warnings.push_back(
-      {"visibility-changes",
-       where + ": the visible meshes differ from those of key 1 (KHR_node_visibility). The meshes of key 1 are "
-               "shown.",
-       1});
+  out.warnings.push_back({"visibility-changes",
+                          "(" + placeName(file, 0, 1) +
+                              ") has other visible meshes than the first pose (KHR_node_visibility). The meshes "
+                              "of the first pose are shown.",
+                          1,
+                          out.keyframes.keyCount() - 1,
+                          -1,
+                          {},
+                          "Key"});
   return {};
 }
 
@@ -109,7 +113,7 @@ Result<Import> readPoses(const std::vector<MeshFile>& meshes, const SourceFiles&
     if (j == 0) animations = std::move(pose->animations);
     if (j == 0) writtenZUp = pose->writtenZUp;
     actions.push_back(pose->action);
-    places.push_back(where);
+    places.push_back(placeName(*meshes[j].file, 0, 1));
     const bool hides = pose->hides;
     Status added = addPose(std::move(*pose), keyName(*meshes[j].file), out, where);
     if (!added && hides) {
@@ -140,7 +144,7 @@ std::string placeName(const NamedBytes& file, int key, std::size_t keys) {
   constexpr std::size_t longest = 120;  // of a URL, for example
   std::string name(baseName(file.name));
   if (name.size() > longest) name = "..." + name.substr(name.size() - longest);
-  return keys > 1 ? name + " (key " + std::to_string(key + 1) + ")" : name;
+  return keys > 1 && key > 0 ? name + " (key " + std::to_string(key + 1) + ")" : name;
 }
 
 std::string keyName(const NamedBytes& file) {
@@ -159,7 +163,7 @@ Error atKey(Error error, int key) {
 
 // Takes over the pose, so memory holds at most one pose after the first.
 Status addPose(PoseFile&& pose, std::string name, Import& out, const std::string& where) {
-  out.noteRounding(pose.rounding, where);
+  out.noteRounding(pose.rounding, name);
   if (out.keyframes.keyCount() > 0)
     return hintAtObjects(
         KeyJoiner(out).add(pose.faces, {{std::move(name), 0, std::move(pose.positions)}}, where, pose.scene.objects),

@@ -12,7 +12,8 @@
 
 namespace shapespline {
 
-/// Display name of a key's file: the `key`th of `keys`.
+/// Display name of a key's file: the `key`th of `keys`. Warnings of its reader name the first file without a number,
+/// because users can renumber keys.
 std::string placeName(const NamedBytes& file, int key, std::size_t keys);
 
 /// Name of a key: the file name without folders and extension.

@@ -90,13 +90,18 @@ void splitVertices(Split& split, Import& import) {
   import.keyframes.faces = std::move(split.faces);
 }
 
-Warning splitWarning(const std::string& where, int count, int key) {
-  const std::string vertices = count == 1 ? "one vertex of key 1 has" : grouped(count) + " vertices of key 1 have";
+Warning splitWarning(const std::string& name, int count, int key) {
+  const std::string vertices =
+      count == 1 ? "one vertex of the first pose has" : grouped(count) + " vertices of the first pose have";
   return {"split-vertices",
-          where + ": " + vertices +
+          "(" + name + "): " + vertices +
               " more than one position in this pose, so the surface opens. If that is not "
               "intended, weld the mesh before posing it.",
-          count, key};
+          count,
+          key,
+          -1,
+          {},
+          "Key"};
 }
 
 // A mesh with vertices ordered by object, for comparison with another file.
@@ -203,7 +208,7 @@ Status KeyJoiner::add(const std::vector<Triangle>& faces, std::vector<Key> added
   if (!match->cornerOf.empty()) {
     Split split = splitBy(match->cornerOf, weldPoses(poses), k.faces, n);
     if (!split.copyOf.empty()) {
-      import_.warnings.push_back(splitWarning(where, static_cast<int>(split.copyOf.size()), key));
+      import_.warnings.push_back(splitWarning(added[0].name, static_cast<int>(split.copyOf.size()), key));
       splitVertices(split, import_);
     }
     vertexOf = std::move(split.vertexOf);

@@ -80,15 +80,14 @@ void EncodedShape::numberComponents() {
 
 void EncodedShape::findMirroredKeys() {
   for (int key : mirroredKeys(shape()))
-    warnings_.push_back(
-        {"mirrored-key",
-         "Key " + std::to_string(key + 1) +
-             " is a mirror image of the surface in the other keys: its faces point "
-             "inwards, so no motion can reach it. Mirror it back with a negative scale, or remove the key.",
-         0,
-         key,
-         -1,
-         {}});
+    warnings_.push_back({"mirrored-key",
+                         "is a mirror image of the surface in the other keys: its faces point "
+                         "inwards, so no motion can reach it. Mirror it back with a negative scale, or remove the key.",
+                         0,
+                         key,
+                         -1,
+                         {},
+                         "Key"});
 }
 
 std::vector<AddedTurns> EncodedShape::turnsOfPatchComponents(std::vector<AddedTurns> turns) const {

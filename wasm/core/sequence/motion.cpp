@@ -138,10 +138,12 @@ void Motion::warnOfTurnsNotHeld() {
   for (std::size_t s = 0; s < held_->heldShare().size(); ++s) {
     if (held_->heldShare()[s] > 0) continue;
     warnings_.push_back({"unheld-turn",
-                         "Between key " + std::to_string(spans[s].from + 1) + " and key " +
-                             std::to_string(spans[s].to + 1) +
-                             " still parts are not held, because of the full turns added to the keys.",
-                         1, spans[s].to});
+                         "still parts are not held, because of the full turns added to the keys.",
+                         1,
+                         spans[s].to,
+                         -1,
+                         {},
+                         "Between"});
   }
 }
 

@@ -23,13 +23,14 @@ std::vector<Warning> tornWarnings(const WeldedShape& shape, const RotationStrain
     if (torn.worst < 0 || torn.count < least || torn.area < minShare) continue;
     warnings.push_back(
         {"torn-faces",
-         "Between key " + std::to_string(s + 1) + " and key " + std::to_string(s + 2) + " " + grouped(torn.count) +
+         grouped(torn.count) +
              " faces rotate by almost a full turn. Their rotation axes differ from those of adjacent faces, so the "
              "surface tears. Add a key in between, or choose the method 'lri'.",
          torn.count,
          s + 1,
          torn.worst,
-         {}});
+         {},
+         "Between"});
   }
   return warnings;
 }

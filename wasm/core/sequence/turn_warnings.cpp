@@ -46,8 +46,8 @@ class TurnWarnings {
 
   void addBeyond(const Curve& curve) {
     const double distance = reach * (curve.end() - curve.start()) / (shape_.keys - 1);
-    addBeyond(curve.at(curve.start() - distance), 1, 0, "Before key ");
-    addBeyond(curve.at(curve.end() + distance), shape_.keys - 1, shape_.keys - 1, "Beyond key ");
+    addBeyond(curve.at(curve.start() - distance), 1, 0, "Before key");
+    addBeyond(curve.at(curve.end() + distance), shape_.keys - 1, shape_.keys - 1, "Beyond key");
   }
 
   std::vector<Warning> take() { return std::move(warnings_); }
@@ -59,13 +59,8 @@ class TurnWarnings {
                        [&](const AddedTurns& t) { return t.turns != 0 && t.component == component; });
   }
 
-  std::string interval() const {
-    const int next = (step_ + 1) % shape_.keys;
-    return "Between key " + std::to_string(step_ + 1) + " and key " + std::to_string(next + 1) + " ";
-  }
-
   void add(const char* code, const std::string& message, int count, int face, std::vector<int> patches) {
-    warnings_.push_back({code, interval() + message, count, (step_ + 1) % shape_.keys, face, std::move(patches)});
+    warnings_.push_back({code, message, count, (step_ + 1) % shape_.keys, face, std::move(patches), "Between"});
   }
 
   int faceOf(int patch) const {
@@ -147,7 +142,7 @@ class TurnWarnings {
   }
 
   // Adds no warning if the neighbouring interval already has one. interval: its last key, as in Warning::key.
-  void addBeyond(const CurvePoint& point, int interval, int key, const std::string& where) {
+  void addBeyond(const CurvePoint& point, int interval, int key, const char* about) {
     if (std::any_of(warnings_.begin(), warnings_.end(), [&](const Warning& w) { return w.key == interval; })) return;
     const auto [angle, ofLinks] = motion_.disagreement(point);
     // Links that agree determine all rotations, so noise hardly moves the shape.
@@ -164,10 +159,9 @@ class TurnWarnings {
     }
     if (sum <= openBeyond * total) return;
     warnings_.push_back({"open-beyond-keys",
-                         where + std::to_string(key + 1) + " rotations of regions are so large that they disagree by " +
-                             angleText(sum / total) +
+                         "rotations of regions are so large that they disagree by " + angleText(sum / total) +
                              ". Small changes to the keys change the shape there. If it looks wrong, add a key.",
-                         static_cast<int>(found.size()), key, faceOf(worst), std::move(found)});
+                         static_cast<int>(found.size()), key, faceOf(worst), std::move(found), about});
   }
 
   void addFaces(const AmbiguousFaces& faces) {

@@ -125,16 +125,19 @@ std::string times(double factor) {
 
 Warning warningOf(const Suspect& suspect, const KeySpan& span, const Overshoot& overshoot) {
   const std::string away = "the motion overshoots the keys by " + overshoot.text + ", ";
-  const std::string where = suspect.beyond == 0
-                                ? "Between key " + std::to_string(span.from + 1) + " and key " +
-                                      std::to_string(span.to + 1) + " " + away + "because this interval is " +
-                                      times(suspect.ratio) + " as long as the neighbouring interval."
-                                : std::string(suspect.beyond < 0 ? "Before the first key " : "After the last key ") +
-                                      away + "because the mean interval is " + times(suspect.ratio) +
-                                      " as long as the " + (suspect.beyond < 0 ? "first." : "last.");
+  const bool isBetween = suspect.beyond == 0;
+  const std::string where =
+      isBetween ? away + "because this interval is " + times(suspect.ratio) + " as long as the neighbouring interval."
+                : std::string(suspect.beyond < 0 ? "Before the first key " : "After the last key ") + away +
+                      "because the mean interval is " + times(suspect.ratio) + " as long as the " +
+                      (suspect.beyond < 0 ? "first." : "last.");
   return {"uneven-times",
-          where + " Space the keys more evenly (Space keys in the Motion panel; on the command line, --key-times).", 1,
-          suspect.beyond < 0 ? span.from : span.to, overshoot.face};
+          where + " Space the keys more evenly (Space keys in the Motion panel; on the command line, --key-times).",
+          1,
+          suspect.beyond < 0 ? span.from : span.to,
+          overshoot.face,
+          {},
+          isBetween ? "Between" : ""};
 }
 
 }  // namespace

@@ -425,8 +425,8 @@ struct KeyReader {
     }
     if (changes > 0)
       out.warnings.push_back({"visibility-changes",
-                              doc.where + ": the visible meshes of some keys differ from those of key 1 "
-                                          "(KHR_node_visibility). The meshes of key 1 are shown.",
+                              doc.where + ": the visible meshes of some keys differ from those of its first key "
+                                          "(KHR_node_visibility), which are shown.",
                               changes});
     return {};
   }

@@ -3,7 +3,6 @@ import type { KeysInfo, Warning } from '../../engine/api/types.ts';
 
 /** Warnings about neighbouring regions, which two tests can both report. */
 const BETWEEN_NEIGHBOURS = ['ambiguous-patch-turn', 'ambiguous-face-turn'];
-const KEYS = /^Between key \d+ and key \d+ /;
 /** Low and high along x, y and z, as seen from the front. */
 const SIDES = [
   ['left', 'right'],
@@ -19,15 +18,15 @@ export function withPlaces(
 ): Warning[] {
   const told = new Set<string>();
   return warnings.flatMap((warning) => {
-    const { code, key, face, message } = warning;
-    const positions = KEYS.test(message) && face >= 0 ? positionsOf(key) : null;
+    const { code, key, face, about, message, text = '' } = warning;
+    const positions = about === 'Between' && face >= 0 ? positionsOf(key) : null;
     if (!positions) return [warning];
     const part = partOf(positions, faces, face);
     if (BETWEEN_NEIGHBOURS.includes(code)) {
       if (told.has(`${key} ${part}`)) return [];
       told.add(`${key} ${part}`);
     }
-    return [{ ...warning, message: message.replace(KEYS, (keys) => `${keys.trimEnd()}, ${part}, `) }];
+    return [{ ...warning, message: `${message.slice(0, -text.length - 1)}, ${part}, ${text}` }];
   });
 }
 

@@ -6,7 +6,7 @@ import { LARGE, mayBeLarge } from '../../engine/api/large.ts';
 import type { Doc, View } from '../../model/state.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { documentFromImport } from './document-from-import.ts';
-import type { renumberedWarnings } from '../../engine/api/renumbered-warnings.ts';
+import type { renumbered } from '../../engine/api/sentences.ts';
 import { SequenceSet } from './sequence-set.ts';
 import type { RunningMotion } from '../../playback/frame-set.ts';
 import { PosePool } from './pose-pool.ts';
@@ -57,7 +57,7 @@ interface Current {
   input: OpenFile[];
   options: ImportOptions;
   /** null without warnings of the import. */
-  renumbered: typeof renumberedWarnings | null;
+  renumbered: typeof renumbered | null;
 }
 
 /** A file. Samples made in the page have arrays, so no reader is loaded for them. */
@@ -105,8 +105,8 @@ export class Workspace {
    */
   warningsOf(keys: Doc['keys']): Warning[] {
     const keyOf = (pose: number): number => keys.findIndex((key) => key.pose === pose);
-    const imported = this.info && this.current?.renumbered?.(this.info, keyOf);
-    const all = [...(imported ?? []), ...(this.sequences[0]?.sequence.warnings ?? [])];
+    const imported = (this.info?.warnings ?? []).flatMap((warning) => this.current?.renumbered?.(warning, keyOf) ?? []);
+    const all = [...imported, ...(this.sequences[0]?.sequence.warnings ?? [])];
     const texts = all.map((warning) => JSON.stringify(warning));
     return all.filter((_, index) => texts.indexOf(texts[index]!) === index);
   }
@@ -162,8 +162,7 @@ export class Workspace {
       performance.mark('shapespline read');
       const { info } = keys;
       this.events.onRead(info);
-      const renumbered =
-        info.warnings.length > 0 ? (await import('../../engine/api/renumbered-warnings.ts')).renumberedWarnings : null;
+      const sentences = info.warnings.length > 0 ? await import('../../engine/api/sentences.ts') : null;
       const pool = new PosePool(keys);
       const opening = { ...start(documentFromImport(info, pool), pool), info, pool };
       const takesLong = info.report.vertices >= LARGE;
@@ -172,7 +171,7 @@ export class Workspace {
       performance.mark('shapespline made');
       if (this.current) leave();
       this.close();
-      this.current = { info, set, pool, input, options, renumbered };
+      this.current = { info, set, pool, input, options, renumbered: sentences?.renumbered ?? null };
       this.aheadOfState = true;
       return opening;
     } catch (error) {

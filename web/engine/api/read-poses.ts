@@ -23,10 +23,7 @@ export async function readPoses(
   const file = fileName(files[0]?.name ?? 'The file');
   const like = likeOf(keys);
   const { poses, count } = await importAny(engine, files, { up, unit, objects, ...like }).catch((error: unknown) => {
-    if (!isMismatch(error)) throw error;
-    // The core knows only the pose's name.
-    const message = error.message.replace(/^.*?(?= has )/, file);
-    throw new EngineError(error.code, message, { ...error.place, file });
+    throw isMismatch(error) ? new EngineError(error.code, error.message, { ...error.place, file }) : error;
   });
   try {
     checkSameMesh(file, poses.info, keys.info);

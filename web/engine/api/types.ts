@@ -60,6 +60,9 @@ export interface Warning {
   face: number;
   /** The patches of all locations, numbered as in `Sequence.patches`. */
   patches: number[];
+  /** Kind of the message's start, which names the key (`sentences`), and the rest; absent or empty if it names none. */
+  about?: string;
+  text?: string;
 }
 
 /** The location of a warning without a location. */

@@ -82,7 +82,8 @@ export class EngineClient implements Engine {
     const imported = await this.inFilesWorker(call, mayBeLarge(files), (client) =>
       client.call('import', { files, options: checked }, { onProgress: call?.onProgress }),
     );
-    const { project } = imported.info;
+    const { project, times, warnings } = imported.info;
+    imported.info.warnings = (await import('../api/sentences.ts')).withSentences(warnings, times.length);
     if (project) imported.info.project = settled({ ...SEQUENCE_DEFAULTS, ...project }, () => false).options;
     return new KeyArrays(imported);
   }

@@ -226,6 +226,7 @@ class Fit {
   ): Promise<MotionParts> {
     const { keys, encoding } = this.shape.parts;
     const at = (key: number): number => this.times.findIndex((one) => one.key === key);
+    const next = (from: number): number => this.times.slice(from).find(({ key }) => key >= 0)!.key;
     const through: KeyData = {
       ...keys,
       info: {
@@ -234,6 +235,7 @@ class Fit {
         names: this.times.map(({ time, key }) => keys.info.names[key] ?? `${time}`),
       },
       positions: shapes.map((shape, i) => keys.positions[this.times[i]!.key] ?? shape),
+      userKeys: this.times.map((_, i) => next(i)),
     };
     const options = { ...withoutTangents(encoding), reference: at(encoding.reference) };
     const derived = await this.shape.derive(through, options, this.part(FITTED, 0.8));
@@ -245,7 +247,7 @@ class Fit {
       );
       const state = await derived.make(spec, this.part(0.8, MADE));
       const warnings = [
-        ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings.map(this.ofKeys)]),
+        ...onePerPlace([...open.map((one) => ({ ...one, patches: [] })), ...state.warnings]),
         ...failed.map(notFitted),
         ...stiff.map(notSmoothed),
         ...(finished ? [] : [UNFINISHED]),
@@ -261,17 +263,6 @@ class Fit {
       throw error;
     }
   }
-
-  /** Converts a warning's index of a fitted key, also in its text, to the index of the user's next key. */
-  private readonly ofKeys = (warning: Warning): Warning => {
-    if (warning.key < 0) return warning;
-    const next = (own: number): number => this.times.slice(own).find(({ key }) => key >= 0)?.key ?? -1;
-    const message = warning.message.replace(/\b(key) (\d+)( and key (\d+))?/gi, (_, word, own, and, end) => {
-      const key = next(Number(end ?? own) - 1);
-      return and ? `${word} ${key} and key ${key + 1}` : `${word} ${key + 1}`;
-    });
-    return { ...warning, message, key: next(warning.key) };
-  };
 
   private part(from: number, to: number): Call {
     return { ...this.call, onProgress: partOf(this.report, from, to) };

@@ -67,9 +67,14 @@ export class ShapeClient implements Shape {
     return { number: ++this.motions, options, keyTimes: [...keyTimes] };
   }
 
-  make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
+  async make(motion: MotionSpec, call?: CallOptions): Promise<MotionState> {
     const needsLri = METHOD[motion.options.method].space !== 'vertices';
-    return needsLri && !this.hasLri ? this.makeWithLri(motion, call) : this.ask('motion', { motion, order: null });
+    const making =
+      needsLri && !this.hasLri ? this.makeWithLri(motion, call) : this.ask('motion', { motion, order: null });
+    const state = await making;
+    if (state.warnings.length === 0) return state;
+    const { withSentences } = await import('../api/sentences.ts');
+    return { ...state, warnings: withSentences(state.warnings, motion.keyTimes.length, this.parts.keys.userKeys) };
   }
 
   /** Releases a motion in the worker. */

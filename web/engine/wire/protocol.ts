@@ -26,6 +26,8 @@ export interface KeyData {
   positions: readonly Float32Array[];
   /** Normals of the first key as in the file, 3 x vertices; or null. */
   normals: Float32Array | null;
+  /** For a derived shape: the user's key at or after each key. */
+  userKeys?: readonly number[];
 }
 
 /** The motion of a request. A worker without a motion of this number makes it. */
