@@ -117,7 +117,7 @@ function bodyOf({ text, task, sentence, formula, more, beside }: GuidePanelProps
     parts.push(
       h(
         'p',
-        {},
+        { class: 'guide-beside' },
         h('a', { href: beside.href, target: '_blank', rel: 'noopener', 'data-testid': 'guide-beside' }, beside.label),
       ),
     );

@@ -71,7 +71,7 @@ export function createMotionPanel(
   });
   const element = h(
     'section',
-    { class: 'panel', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
+    { class: 'panel', id: 'panel-motion', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
     h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
     animation,
     ...methods.elements,

@@ -64,7 +64,7 @@ export function createShapePanel(ghost: HTMLElement, events: ShapePanelEvents): 
   const objects = createObjectList(events.onObjects);
   const element = h(
     'section',
-    { class: 'panel', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
+    { class: 'panel', id: 'panel-shape', 'aria-labelledby': 'shape-title', 'data-testid': 'panel-shape' },
     h('header', {}, h('h2', { id: 'shape-title' }, 'Shape'), reset),
     stretch.element,
     reference.element,

@@ -16,7 +16,7 @@ export interface StatusProps {
 /** onWarnings receives the pressed button. */
 export function createStatusLine(onWarnings: (from: HTMLElement) => void): Component<StatusProps> {
   const keys = h('span', { 'data-testid': 'status-keys' });
-  const vertices = h('span', { 'data-testid': 'status-vertices' });
+  const vertices = h('span', { class: 'vertices', 'data-testid': 'status-vertices' });
   const faces = h('span', { 'data-testid': 'status-faces' });
   const ms = h('span', {
     'data-testid': 'status-ms',

@@ -44,6 +44,7 @@ export function createViewBar(
     text: 'Stand up',
     onClick: () => events.onUp(shownUp === 'z' ? 'y' : 'z'),
   });
+  stand.classList.add('stand-up');
   const bar = h('div', { class: 'view-buttons', role: 'toolbar', 'aria-label': 'View' }, ...views, stand, toggle);
   rovingTabindex(bar);
   const element = h('div', { class: 'view-bar' }, displayOptions.element, bar);

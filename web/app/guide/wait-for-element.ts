@@ -2,9 +2,9 @@
 import type { PanelName } from '../panels/layout.ts';
 
 /** Calls `act` once, as soon as the element exists; returns a function that stops waiting. */
-export function waitForElement(testId: string, act: (element: HTMLElement) => void): () => void {
+export function waitForElement(selector: string, act: (element: HTMLElement) => void): () => void {
   const found = (): boolean => {
-    const element = document.querySelector<HTMLElement>(`[data-testid="${testId}"]`);
+    const element = document.querySelector<HTMLElement>(selector);
     if (element) act(element);
     return element !== null;
   };
@@ -45,7 +45,7 @@ const TOUCHES = ['pointerdown', 'wheel', 'keydown'] as const;
  * uses the options or calls the returned function.
  */
 export function untilTouched(panel: PanelName, show: () => void): () => void {
-  const element = document.querySelector<HTMLElement>(`[data-testid="panel-${panel}"]`);
+  const element = document.querySelector<HTMLElement>(`#panel-${panel}`);
   const side = element?.closest<HTMLElement>('.side');
   if (!element || !side) return () => undefined;
   const watching = new ResizeObserver(show);

@@ -15,7 +15,7 @@ export function createAnalysisContainer(
 ): AnalysisContainer {
   const place = h(
     'section',
-    { class: 'panel', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
+    { class: 'panel', id: 'panel-analysis', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
     h('header', {}, h('h2', { id: 'analysis-title' }, 'Analysis')),
   );
   const fill = async (): Promise<AnalysisPanel> => {

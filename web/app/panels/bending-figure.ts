@@ -42,6 +42,7 @@ export function createBendingFigure(input: () => AnalysisInput | null, events: B
   figure.element.title = BENDING_UNIT;
   const choose = (shellBending: boolean): void => events.onCharts({ shellBending });
   const toggle = checkbox(CHOICE, 'bending-shell', choose);
+  toggle.element.id = 'bending-shell';
   toggle.element.title = CHOICE_HINT;
   const working = createWorkingLine('bending', 'Stop measuring', () => choose(false));
   working.element.classList.add('card', 'over-plot');

@@ -45,10 +45,11 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
     text: 'Compare shapes',
     onClick: () => void run(studyWithShapes),
   });
+  startShapes.id = 'study-shapes';
   const starts = h('div', { class: 'button-row' }, start, startShapes);
   const working = createWorkingLine('study', 'Cancel the comparison', () => abort?.abort());
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
-  const element = h('div', { class: 'group', 'data-testid': 'study-charts' }, starts, working.element, result);
+  const element = h('div', { class: 'group study', 'data-testid': 'study-charts' }, starts, working.element, result);
   let abort: AbortController | null = null;
   /** The pose pool and document of the study; null without a study. */
   let of: { pool: PosePool; subject: string } | null = null;

@@ -39,6 +39,7 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
       onPick(typed);
     },
   });
+  field.id = `${part}-number`;
   field.placeholder = placeholder;
   let typed: number | null = null;
   let shown: number | null = null;

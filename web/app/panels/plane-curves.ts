@@ -105,6 +105,7 @@ function createMinimised({ onFound, onCharts, onError }: MinimisedEvents): Plane
   });
   count.value = count.defaultValue = String(chosen.samples);
   const toggle = checkbox('Minimised over', 'minimised', (minimised) => onCharts({ minimised }));
+  toggle.element.id = 'minimised';
   toggle.element.title =
     'The samples with the least total bending for fixed keys, found by minimising over all of them. The spline ' +
     'finds nearly the same curve from one equation per key';
