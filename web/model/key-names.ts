@@ -1,8 +1,14 @@
 /** Names of keys: the number, followed by the name, if any. */
+import type { KeyRef } from './state.ts';
 
 /** Label of a key; a name that equals its number is omitted. */
 export function keyLabel(index: number, name: string): string {
   return name === '' || name === String(index + 1) ? `Key ${index + 1}` : `Key ${index + 1}, ${name}`;
+}
+
+/** The keys as choices, by pose. */
+export function keyChoices(keys: readonly Pick<KeyRef, 'pose' | 'name'>[]): { value: string; label: string }[] {
+  return keys.map(({ pose, name }, index) => ({ value: String(pose), label: keyLabel(index, name) }));
 }
 
 /** Text that starts a sentence, converted for use within one. */

@@ -2,7 +2,7 @@
  * The engine's options in the page, under their names in the document and in links. An option that is a key or a shape
  * refers to one of the import's poses; null stands for the default.
  */
-import { ENCODING, MOTION, optionsIn } from '../engine/api/option-table.ts';
+import { optionsIn } from '../engine/api/option-table.ts';
 import type { Option, OptionTable, ValueOf } from '../engine/api/option-table.ts';
 
 export type PageOptions<T> = {
@@ -38,11 +38,4 @@ export function forPage<T extends OptionTable>(table: T, value: (entry: PageOpti
 
 export function pageDefaults<T extends OptionTable>(table: T): PageOptions<T> {
   return forPage(table, ({ option }) => (isPose(option) ? null : option.default));
-}
-
-const UNDO_NAMES = new Map([MOTION, ENCODING].flatMap(pageOptions).map(({ page, option }) => [page, option.undo]));
-
-/** Undo label of a change of options: that of the first option. */
-export function undoName(change: object): string {
-  return UNDO_NAMES.get(Object.keys(change)[0] ?? '') ?? '';
 }

@@ -11,11 +11,18 @@ export interface Edited {
   motion: Motion;
 }
 
+/** The document's options to which the engine's rules apply. */
+export function ruledOptions({ keys, motion }: Edited): Ruled {
+  return { ...motion, ...listsOf(keys.map(({ shaping }) => shaping)) };
+}
+
 /** The option that excludes shapes that keep lengths; null if they are possible. */
-export function keepLengthsConflict({ keys, motion }: Edited): RuledOption | null {
-  const lists = listsOf(keys.map(({ shaping }) => shaping));
-  const wanted = { ...motion, ...lists, pins: [...motion.pins], method: OWN_METHOD, keepLengths: 1 } as Ruled;
-  return conflicts(wanted).find(({ other }) => other === 'keepLengths')?.option ?? null;
+export function keepLengthsConflict(edited: Edited): RuledOption | null {
+  return (
+    conflicts({ ...ruledOptions(edited), method: OWN_METHOD, keepLengths: 1 }).find(
+      ({ other }) => other === 'keepLengths',
+    )?.option ?? null
+  );
 }
 
 /** The number of shapes that keep lengths. A number that is excluded stays in the document. */

@@ -84,20 +84,19 @@ export function createCurveControls(events: PanelEvents): Panel {
   const samples = slider({
     label: 'Number of brute-force samples, K',
     testId: 'samples',
-    min: MIN_SAMPLES,
-    max: MAX_SAMPLES,
+    first: MIN_SAMPLES,
+    last: MAX_SAMPLES,
     step: 1,
     fallback: 20,
-    format: String,
-    onInput: (value) => events.onSamples(Math.round(value)),
+    onInput: events.onSamples,
   });
   const speed = (end: End, label: string, testId: string) =>
     slider({
       label,
       testId,
-      min: 0,
-      max: MAX_SPEED,
-      typedMax: TYPED_SPEED,
+      first: 0,
+      last: MAX_SPEED,
+      max: TYPED_SPEED,
       step: 0.05,
       fallback: 1,
       hint: 'Relative to the constant speed to the neighbouring key; 0 eases in or out',
@@ -111,8 +110,8 @@ export function createCurveControls(events: PanelEvents): Panel {
     slider({
       label,
       testId: name,
-      min: -1,
-      max: 1,
+      first: -1,
+      last: 1,
       step: 0.05,
       fallback: 0,
       hint,

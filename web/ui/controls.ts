@@ -44,13 +44,28 @@ export function setIdle(reset: HTMLButtonElement, idle: boolean): void {
   setAttribute(reset, 'data-idle', idle);
 }
 
+/** A button that restores a default. */
+export function resetButton(label: string, testId: string, onClick: () => void): HTMLButtonElement {
+  return button({ label, testId, icon: 'reset', onClick });
+}
+
 /** Fields in a row after their label. */
-export function fieldRow(label: string | Node, ...fields: Node[]): HTMLElement {
+export function fieldRow(label: string | Node, ...fields: Child[]): HTMLElement {
   const first = typeof label === 'string' ? h('span', { class: 'label' }, label) : label;
   return h('div', { class: 'field row' }, first, ...fields);
 }
 
 export const unit = (text: string): HTMLElement => h('span', { class: 'unit' }, text);
+
+/** A section beside the shape. Its parts can follow later. */
+export function panelSection(title: string): HTMLElement {
+  const name = title.toLowerCase();
+  return h(
+    'section',
+    { class: 'panel', id: `panel-${name}`, 'aria-labelledby': `${name}-title`, 'data-testid': `panel-${name}` },
+    h('header', {}, h('h2', { id: `${name}-title` }, title)),
+  );
+}
 
 /** Buttons in a row below their label. */
 export function buttonGroup(label: string, ...buttons: Node[]): HTMLElement {
@@ -163,50 +178,46 @@ export function select<T extends string>(
   };
 }
 
-export interface NumberOptions {
+interface SliderOptions {
   label: string;
   testId: string;
-  min: number;
-  max: number;
-  /** Largest typed number, if larger than the slider's maximum. */
-  typedMax?: number;
-  step: number;
+  /** Ends of the slider. */
+  first: number;
+  last: number;
+  /** Bounds of the number field, if it reaches further. */
+  min?: number | undefined;
+  max?: number | undefined;
+  step: number | 'any';
   /** Value restored by the reset button. */
   fallback: number;
-  hint?: string;
-  format?: (value: number) => string;
+  hint?: string | undefined;
   onInput: (value: number) => void;
 }
 
-export interface NumberControl {
+export interface Slider {
   element: HTMLElement;
-  /** `reach`: the slider's maximum if it differs from `max`. */
-  update(value: number, disabledReason?: string, reach?: number): void;
+  /** `reach`: the slider's end if it differs from `last`. */
+  update(value: number, shown?: { disabled?: boolean; reach?: number }): void;
 }
 
 /** A slider with a number field and a reset button. */
-export function slider(options: NumberOptions): NumberControl {
-  const { label, testId, min, max, typedMax = max, step, fallback, hint, onInput } = options;
-  const format = options.format ?? ((value) => String(Number(value.toFixed(3))));
+export function slider(options: SliderOptions): Slider {
+  const { label, testId, first, last, min = first, max = last, step, fallback, hint, onInput } = options;
+  const format = (value: number): string => String(Number(value.toFixed(3)));
   const id = uniqueId(testId);
   const range = h('input', {
     type: 'range',
     id,
-    min,
-    max,
+    min: first,
+    max: last,
     step,
     'data-testid': testId,
     title: hint,
     oninput: () => onInput(Number(range.value)),
   });
-  const typed = { min, max: typedMax, step, onInput };
+  const typed = { min, max, step, onInput };
   const number = numberField({ label: `${label}, as a number`, testId: `${testId}-number`, ...typed });
-  const reset = button({
-    label: `Reset ${label.toLowerCase()} to ${format(fallback)}`,
-    testId: `${testId}-reset`,
-    icon: 'reset',
-    onClick: () => onInput(fallback),
-  });
+  const reset = resetNumber(options, () => onInput(fallback));
   const element = h(
     'div',
     { class: 'field slider' },
@@ -215,14 +226,56 @@ export function slider(options: NumberOptions): NumberControl {
   );
   return {
     element,
-    update(value, disabledReason, reach = max) {
+    update(value, { disabled = false, reach = last } = {}) {
       setAttribute(range, 'max', reach);
       if (Number(range.value) !== value) range.value = String(value);
       setAttribute(range, 'aria-valuetext', format(value));
       setField(number, format(value));
-      const disabled = disabledReason !== undefined;
       for (const control of [range, number]) control.disabled = disabled;
       setIdle(reset, disabled || value === fallback);
+    },
+  };
+}
+
+function resetNumber(
+  { label, testId, fallback }: { label: string; testId: string; fallback: number | null },
+  onClick: () => void,
+): HTMLButtonElement {
+  const to = fallback === null ? '' : ` to ${fallback.toLocaleString('en')}`;
+  return resetButton(`Reset ${label.toLowerCase()}${to}`, `${testId}-reset`, onClick);
+}
+
+interface NumberRowOptions extends Omit<NumberFieldOptions, 'onInput'> {
+  /** Tooltip of the label. */
+  hint?: string | undefined;
+  /** Name for screen readers; default: label and unit. */
+  name?: string | undefined;
+  unit?: string | undefined;
+  /** Element after the number. */
+  beside?: HTMLElement | undefined;
+  /** Value of the reset button; undefined: there is none. */
+  fallback?: number | null | undefined;
+  onInput: (value: number | null) => void;
+}
+
+export interface NumberRow {
+  element: HTMLElement;
+  update(value: number | null, shown?: { text?: string; placeholder?: string; disabled?: boolean }): void;
+}
+
+/** A number in a row with its label, unit and reset button. */
+export function numberRow(options: NumberRowOptions): NumberRow {
+  const { label, hint, unit: of, beside, fallback, onInput } = options;
+  const { name = of ? `${label}, ${of}` : label } = options;
+  const field = numberField({ ...options, label: name });
+  const reset = fallback === undefined ? null : resetNumber({ ...options, fallback }, () => onInput(fallback));
+  return {
+    element: fieldRow(h('span', { class: 'label', title: hint }, label), field, of && unit(of), beside, reset),
+    update(value, { text = String(value), placeholder = '', disabled = false } = {}) {
+      setField(field, text);
+      field.placeholder = placeholder;
+      field.disabled = disabled;
+      if (reset) setIdle(reset, disabled || value === fallback);
     },
   };
 }
@@ -230,13 +283,13 @@ export function slider(options: NumberOptions): NumberControl {
 interface NumberFieldOptions {
   label: string;
   testId: string;
-  min?: number;
-  max?: number;
+  min?: number | undefined;
+  max?: number | undefined;
   step?: number | 'any';
   /** Meaning of an empty field. */
-  empty?: number;
+  empty?: number | undefined;
   /** Why a number is refused, after 'must be'; null: it is not. */
-  validationError?: (value: number) => string | null;
+  validationError?: ((value: number) => string | null) | undefined;
   onInput: (value: number) => void;
 }
 
@@ -244,8 +297,8 @@ interface NumberFieldOptions {
 export const REFUSED = 'refused';
 
 /**
- * A field for one number. On blur it shows the value in effect, as set by setField. Invalid text is replaced, and a
- * number beyond a limit becomes the limit.
+ * A field for one number, which is rounded if the step is a whole number. On blur it shows the value in effect, as set
+ * by setField. Invalid text is replaced, and a number beyond a limit becomes the limit.
  */
 export function numberField(options: NumberFieldOptions): HTMLInputElement {
   const { label, testId, min = -Infinity, max = Infinity, step = 'any', empty, validationError, onInput } = options;
@@ -261,7 +314,8 @@ export function numberField(options: NumberFieldOptions): HTMLInputElement {
     if (value > max) refuse(`at most ${max}`);
     const wrong = validationError?.(value);
     if (wrong) return refuse(wrong);
-    onInput(Math.min(Math.max(value, min), max));
+    const typed = Math.min(Math.max(value, min), max);
+    onInput(step !== 'any' && Number.isInteger(step) ? Math.round(typed) : typed);
   };
   const commit = (): void => {
     take();

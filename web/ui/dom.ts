@@ -16,6 +16,29 @@ export interface Fields<Props> {
   update(props: Props): void;
 }
 
+/** A component, or an element that does not change. */
+export type Part<Props> = Component<Props> | HTMLElement;
+
+export function elementsOf<Props>(parts: readonly Part<Props>[]): HTMLElement[] {
+  return parts.map((part) => ('update' in part ? part.element : part));
+}
+
+export function updateAll<Props>(parts: readonly Part<Props>[], props: Props): void {
+  for (const part of parts) if ('update' in part) part.update(props);
+}
+
+/** Parts below each other, hidden unless `isShown`. */
+export function group<P>(parts: readonly Part<P>[], isShown: (props: P) => boolean = () => true): Component<P> {
+  const element = h('div', { class: 'group' }, ...elementsOf(parts));
+  return {
+    element,
+    update(props) {
+      setHidden(element, !isShown(props));
+      updateAll(parts, props);
+    },
+  };
+}
+
 /**
  * An element with attributes, `on...` listeners and children. `true` sets an empty attribute, `false` and null none.
  */

@@ -1,21 +1,24 @@
 /** Name, time and slope of a key. */
-import { PER_KEY } from '../engine/api/option-table.ts';
+import { hasEffect } from '../engine/api/rules.ts';
+import { reasonFor } from '../model/option-reasons.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from '../model/shaping.ts';
-import { DEFAULT_SHAPING, SHAPING_NUMBERS } from '../model/shaping.ts';
-import type { KeyRef } from '../model/state.ts';
+import { SHAPING_NUMBERS } from '../model/shaping.ts';
+import type { KeyRef, Motion } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { formatTime } from '../model/time-scale.ts';
-import { fieldRow, numberField, slider } from './controls.ts';
-import { h, setField, setHidden } from './dom.ts';
+import { fieldRow, numberField } from './controls.ts';
+import { h, say, setField } from './dom.ts';
 import { createKeyTurns } from './key-turns.ts';
+import { optionControl } from './option-field.ts';
+
+const BENT = 'With tension or bias the velocity stays smooth at this key, but the acceleration jumps (C1, not C2).';
 
 export interface KeyFieldsProps {
   keys: readonly KeyRef[];
   range: Range;
   /** Number of components of the shape. */
   components: number;
-  /** Whether the method supports added turns. */
-  turns: boolean;
+  motion: Motion;
 }
 
 export interface KeyFieldsEvents {
@@ -46,17 +49,18 @@ export function createKeyFields(events: KeyFieldsEvents): KeyFields {
     onchange: () => events.onRename(index, name.value.trim()),
   });
   const time = numberField({ label: 'Time', testId: 'key-time', onInput: (t) => events.onRetime(index, t) });
-  const sliders = createShapingSliders((option, value) => events.onShaping(index, option, value));
+  const shaped = createShaping((option, value) => events.onShaping(index, option, value));
   const turns = createKeyTurns((added) => events.onTurns(index, added), events.onComponent);
   return {
-    elements: [fieldRow('Name', name), fieldRow('Time', time), ...sliders.elements, ...turns.elements],
-    update({ keys, range, components, turns: takesTurns }, at) {
+    elements: [fieldRow('Name', name), fieldRow('Time', time), ...shaped.elements, ...turns.elements],
+    update(props, at) {
+      const { keys, range, components, motion } = props;
       index = at;
       const { name: text, time: t, shaping } = keys[at]!;
       setField(name, text);
       setField(time, formatTime(t, range));
-      sliders.update(shaping);
-      turns.update({ shaping, canTurn: takesTurns && at > 0, components });
+      shaped.update(props, shaping);
+      turns.update({ shaping, canTurn: hasEffect('turns', motion) && at > 0, components });
     },
     focus() {
       name.focus();
@@ -66,34 +70,18 @@ export function createKeyFields(events: KeyFieldsEvents): KeyFields {
   };
 }
 
-function createShapingSliders(onShaping: (name: ShapingNumber, value: number) => void): {
-  elements: HTMLElement[];
-  update(shaping: Shaping): void;
-} {
-  const sliders = SHAPING_NUMBERS.map((option) => {
-    const { label, hint, slider: ends } = PER_KEY[option];
-    const control = slider({
-      label,
-      hint,
-      min: ends[0],
-      max: ends[1],
-      testId: `key-${option}`,
-      step: 0.05,
-      fallback: DEFAULT_SHAPING[option],
-      onInput: (value) => onShaping(option, value),
-    });
-    return { option, control };
-  });
-  const bend = h(
-    'p',
-    { class: 'reason', 'data-testid': 'key-bend', hidden: true },
-    'With tension or bias the velocity stays smooth at this key, but the acceleration jumps (C1, not C2).',
-  );
+function createShaping(onShaping: (name: ShapingNumber, value: number) => void) {
+  const sliders = SHAPING_NUMBERS.map((option) => ({
+    option,
+    ...optionControl(option, (value) => onShaping(option, value), { prefix: 'key-' }),
+  }));
+  const reason = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true });
   return {
-    elements: [...sliders.map(({ control }) => control.element), bend],
-    update(shaping) {
-      for (const { option, control } of sliders) control.update(shaping[option]);
-      setHidden(bend, shaping.tension === 0 && shaping.bias === 0);
+    elements: [...sliders.map(({ element }) => element), reason],
+    update({ motion }: KeyFieldsProps, shaping: Shaping): void {
+      const unused = SHAPING_NUMBERS.map((option) => reasonFor(option, { motion }));
+      sliders.forEach(({ option, update }, index) => update(shaping[option], { disabled: unused[index] !== '' }));
+      say(reason, unused.join(' ').trim() || (shaping.tension === 0 && shaping.bias === 0 ? '' : BENT));
     },
   };
 }

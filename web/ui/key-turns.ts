@@ -1,10 +1,11 @@
 /** Full turns since the previous key, for the whole shape or one component. */
-import { MAX_TURNS, PER_KEY } from '../engine/api/option-table.ts';
+import { MAX_TURNS } from '../engine/api/option-table.ts';
+import { OPTION_WORDS } from '../model/option-words.ts';
 import type { KeyTurns, Shaping } from '../model/shaping.ts';
 import { turnsOf } from '../model/shaping.ts';
 import type { Choice } from './controls.ts';
-import { fieldRow, numberField, select } from './controls.ts';
-import { h, setField, setHidden } from './dom.ts';
+import { numberRow, select } from './controls.ts';
+import { setHidden } from './dom.ts';
 
 /** Most components in the list. More entries are not distinguishable. */
 const MAX_COMPONENTS = 400;
@@ -29,19 +30,14 @@ export function createKeyTurns(
 } {
   let props: KeyTurnsProps | null = null;
   let component: number | null = null;
-  const { label, hint } = PER_KEY.turns;
-  const turns = numberField({
-    label,
+  const row = numberRow({
+    ...OPTION_WORDS.turns,
     testId: 'key-turns',
     min: -MAX_TURNS,
     max: MAX_TURNS,
     step: 1,
-    onInput: (value) => {
-      const added = { turns: Math.round(value) };
-      onTurns(component === null ? added : { component, ...added });
-    },
+    onInput: (turns) => onTurns({ ...(component === null ? {} : { component }), turns: turns ?? 0 }),
   });
-  const row = fieldRow(h('span', { class: 'label', title: hint }, label), turns);
   const turning = select<string>('Of', 'key-turns-component', [], (value) =>
     choose(value === '' ? null : Number(value)),
   );
@@ -58,13 +54,13 @@ export function createKeyTurns(
     const { shaping, canTurn, components } = props;
     const count = canTurn && components > 1 ? Math.min(components, MAX_COMPONENTS) : 0;
     if (component !== null && component >= count) return choose(null);
-    setField(turns, String(turnsOf(shaping, component ?? undefined)));
-    setHidden(row, !canTurn);
+    row.update(turnsOf(shaping, component ?? undefined));
+    setHidden(row.element, !canTurn);
     setHidden(turning.element, count === 0);
     turning.update(String(component ?? ''), count === 0 ? [] : componentChoices(count, shaping));
   };
   return {
-    elements: [row, turning.element],
+    elements: [row.element, turning.element],
     update(next) {
       props = next;
       draw();

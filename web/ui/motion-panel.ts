@@ -1,5 +1,6 @@
 /** Interpolation of the keys: method, compared motions, and boundary. */
-import { METHOD, METHODS } from '../engine/api/methods.ts';
+import { METHODS } from '../engine/api/methods.ts';
+import { hasEffect } from '../engine/api/rules.ts';
 import type { Method } from '../engine/api/types.ts';
 import type { Motion } from '../model/state.ts';
 import type { Spacing } from '../model/key-spacing.ts';
@@ -7,15 +8,14 @@ import { METHOD_WORDS, PLAIN_WORDS, fittedText } from '../model/method-words.ts'
 import { DEFAULT_SHAPING } from '../model/shaping.ts';
 import { departsFromPaper } from '../model/spline-options.ts';
 import { DEFAULT_MOTION, MAX_COMPARED } from '../model/state.ts';
-import { button, buttonGroup, checkbox, select, setIdle, slider } from './controls.ts';
+import { button, buttonGroup, checkbox, panelSection, slider } from './controls.ts';
 import type { MotionEnds, MotionEndsEvents, MotionEndsProps } from './motion-ends.ts';
 import { createMotionEnds } from './motion-ends.ts';
+import { fillPanel, numberBounds, optionField } from './option-field.ts';
+import type { OptionPanelProps } from './option-field.ts';
 import { createPinList } from './pin-list.ts';
-import type { Component, Fields } from './dom.ts';
-import { h, memo, setHidden, setText } from './dom.ts';
-
-const HOLD_HINT =
-  'Vertices that hardly move between two keys stay in place. Off: as published; planted feet can slide.';
+import type { Component } from './dom.ts';
+import { group, h, setHidden, setText } from './dom.ts';
 
 const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] = [
   { value: 'even', text: 'Evenly', hint: 'Intervals of equal length' },
@@ -27,7 +27,7 @@ const SPACING_WORDS: readonly { value: Spacing; text: string; hint: string }[] =
   },
 ];
 
-export interface MotionPanelProps extends MotionEndsProps {
+export interface MotionPanelProps extends MotionEndsProps, OptionPanelProps<Motion> {
   compare: readonly Method[];
   /** The intervals between keys where the shown motion has fitted shapes; null if it fits none. */
   fitted: readonly boolean[] | null;
@@ -35,9 +35,6 @@ export interface MotionPanelProps extends MotionEndsProps {
   placing: boolean;
   /** Mean tension of the keys. */
   tightness: number;
-  disabled: boolean;
-  /** Values restored by the reset button. */
-  defaults: Motion;
 }
 
 export interface MotionPanelEvents extends MotionEndsEvents {
@@ -60,45 +57,24 @@ export function createMotionPanel(
   options: HTMLElement,
 ): Component<MotionPanelProps> & Pick<MotionEnds, 'endAt'> {
   const ends = createMotionEnds(events);
-  const methods = createMethods(events);
-  const others = [ends, createHolding(events), createTiming(events)];
-  const parts = [methods, ...others];
-  const reset = button({
-    label: 'Reset the motion to its state when opened',
-    testId: 'motion-reset',
-    icon: 'reset',
-    onClick: () => events.onReset(),
-  });
-  const element = h(
-    'section',
-    { class: 'panel', id: 'panel-motion', 'aria-labelledby': 'motion-title', 'data-testid': 'panel-motion' },
-    h('header', {}, h('h2', { id: 'motion-title' }, 'Motion'), reset),
+  const panel = fillPanel<'motion', MotionPanelProps>(panelSection('Motion'), 'motion', events.onReset, [
     animation,
-    ...methods.elements,
+    optionField('method', events.onMotion, ({ fitted }) => {
+      const where = fittedText(fitted);
+      return { note: where && ` Here ${where} between keys; see the warnings.` };
+    }),
+    createComparison(events),
     options,
-    ...others.flatMap(({ elements }) => elements),
-  );
-  const draw = memo((props: MotionPanelProps) => {
-    for (const part of parts) part.update(props);
-    const names = Object.keys(DEFAULT_MOTION) as (keyof Motion)[];
-    setIdle(
-      reset,
-      names.every((name) => props.motion[name] === props.defaults[name]),
-    );
-  });
-  return { element, update: draw, endAt: ends.endAt };
+    ends,
+    createHolding(events),
+    createTightness(events),
+    createTiming(events),
+  ]);
+  return { ...panel, endAt: ends.endAt };
 }
 
-/** The method, and the compared methods. */
-function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<MotionPanelProps> {
-  const method = select<Method>(
-    'Method',
-    'method',
-    METHODS.map((value) => ({ value, ...METHOD_WORDS[value] })),
-    (value) => onMotion({ method: value }),
-    'M',
-  );
-  const hint = h('p', { class: 'hint', 'data-testid': 'method-hint' });
+/** The compared methods. */
+function createComparison({ onCompare }: MotionPanelEvents): Component<MotionPanelProps> {
   let compared: readonly Method[] = [];
   const others = METHODS.map((value) => ({
     value,
@@ -107,21 +83,17 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
     }),
   }));
   const most = h('p', { class: 'hint', 'data-testid': 'compare-most' }, 'At most four motions are shown at a time.');
-  const comparison = h(
-    'fieldset',
-    { class: 'field' },
-    h('legend', {}, 'Compare with'),
-    h('div', { class: 'chips' }, ...others.map(({ toggle }) => toggle.element)),
-    most,
-  );
   return {
-    elements: [method.element, hint, comparison],
-    update({ motion, keys, compare, fitted, disabled }) {
+    element: h(
+      'fieldset',
+      { class: 'field' },
+      h('legend', {}, 'Compare with'),
+      h('div', { class: 'chips' }, ...others.map(({ toggle }) => toggle.element)),
+      most,
+    ),
+    update({ motion, keys, compare, disabled }) {
       compared = compare;
       const departing = departsFromPaper({ motion, keys });
-      method.update(motion.method);
-      const where = fittedText(fitted);
-      setText(hint, `${METHOD_WORDS[motion.method].hint}${where && ` Here ${where} between keys; see the warnings.`}`);
       const isFull = compared.filter((m) => m !== motion.method || departing).length >= MAX_COMPARED;
       setHidden(most, !isFull);
       for (const { value, toggle } of others) {
@@ -136,58 +108,54 @@ function createMethods({ onMotion, onCompare }: MotionPanelEvents): Fields<Motio
 }
 
 /** Parts held in place, automatically or by pins. */
-function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Fields<MotionPanelProps> {
-  const hold = checkbox('Hold still parts', 'hold', (on) => onMotion({ hold: on ? 'on' : 'off' }));
-  const holding = h('div', { class: 'group' }, hold.element, h('p', { class: 'hint' }, HOLD_HINT));
+function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Component<MotionPanelProps> {
+  const hold = group<MotionPanelProps>([optionField('hold', onMotion)], ({ keys }) => keys.length > 2);
   const pins = createPinList({
     onPins: (list) => onMotion({ pins: list.length > 0 ? list : DEFAULT_MOTION.pins }),
     onPlacing,
   });
-  return {
-    elements: [holding, pins.element],
-    update({ motion, keys, placing, disabled }) {
-      const can = METHOD[motion.method].holds;
-      hold.update(motion.hold === 'on');
-      setHidden(holding, !can || keys.length < 3);
-      setHidden(pins.element, !can);
-      pins.update({ pins: motion.pins, keys, placing, periodic: motion.boundary === 'periodic', disabled });
-    },
+  const list: Component<MotionPanelProps> = {
+    element: pins.element,
+    update: ({ motion, ...props }) =>
+      pins.update({ ...props, pins: motion.pins, periodic: motion.boundary === 'periodic' }),
   };
+  return group([hold, list], ({ motion }) => hasEffect('pins', motion));
 }
 
-/** Tension, spacing and order of the keys. */
-function createTiming(events: MotionPanelEvents): Fields<MotionPanelProps> {
-  const tightness = slider({
+/** The tension of all keys. */
+function createTightness({ onTightness, onAutoTightness }: MotionPanelEvents): Component<MotionPanelProps> {
+  const { element, update } = slider({
+    ...numberBounds('tension'),
     label: 'Tightness',
     testId: 'tightness',
     hint: 'Tension of all keys. 0: smooth; 1: stops at each key, without overshoot; below 0: livelier',
-    min: -1,
-    max: 1,
-    step: 0.05,
+    first: -1,
+    last: 1,
     fallback: DEFAULT_SHAPING.tension,
-    onInput: (value) => events.onTightness(value),
+    onInput: onTightness,
   });
   const auto = button({
     label: 'Adds tension so that no slope exceeds three times the slope of a straight path to the next or previous key',
     testId: 'tightness-auto',
     text: 'Limit overshoot',
-    onClick: () => events.onAutoTightness(),
+    onClick: onAutoTightness,
   });
-  const tight = h('div', { class: 'group' }, tightness.element, h('div', { class: 'button-row' }, auto));
+  return group<MotionPanelProps>(
+    [{ element, update: (props) => update(props.tightness) }, h('div', { class: 'button-row' }, auto)],
+    ({ motion }) => hasEffect('tension', motion),
+  );
+}
+
+/** Spacing and order of the keys. */
+function createTiming({ onSpacing, onReverse }: MotionPanelEvents): HTMLElement {
   const spacings = SPACING_WORDS.map(({ value, text, hint }) =>
-    button({ label: hint, testId: `space-${value}`, text, onClick: () => events.onSpacing(value) }),
+    button({ label: hint, testId: `space-${value}`, text, onClick: () => onSpacing(value) }),
   );
   const reverse = button({
     label: 'Run from the last key to the first, in the same time',
     testId: 'reverse',
     text: 'Reverse',
-    onClick: () => events.onReverse(),
+    onClick: onReverse,
   });
-  return {
-    elements: [tight, buttonGroup('Space keys', ...spacings), buttonGroup('Direction', reverse)],
-    update({ motion, tightness: mean }) {
-      tightness.update(Number(mean.toFixed(3)));
-      setHidden(tight, METHOD[motion.method].curve !== 'spline');
-    },
-  };
+  return h('div', { class: 'group' }, buttonGroup('Space keys', ...spacings), buttonGroup('Direction', reverse));
 }

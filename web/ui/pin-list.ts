@@ -3,7 +3,7 @@ import type { Pin } from '../engine/api/types.ts';
 import type { KeyRef } from '../model/state.ts';
 import type { Pins } from '../model/pins.ts';
 import { PIN_SIZES, changedPin, pinSize, withoutPin } from '../model/pins.ts';
-import { keyLabel } from '../model/key-names.ts';
+import { keyChoices, keyLabel } from '../model/key-names.ts';
 import { button } from './controls.ts';
 import { h, say, setAttribute, setField, setHidden, setText } from './dom.ts';
 import { icon } from './icons.ts';
@@ -139,7 +139,7 @@ function createRow(
       const { keys } = props;
       mode.fill([
         { value: OWN, label: 'Own spline' },
-        ...keys.map((key, at) => ({ value: String(key.pose), label: `As in ${keyLabel(at, key.name)}` })),
+        ...keyChoices(keys).map(({ value, label }) => ({ value, label: `As in ${label}` })),
       ]);
       const stays = keys.findIndex(({ pose }) => pose === pin.stay);
       setField(mode.field, stays < 0 ? OWN : String(pin.stay));

@@ -1,5 +1,5 @@
 /** Commands on the keys. */
-import { MAX_TIME, PER_KEY } from '../../engine/api/option-table.ts';
+import { MAX_TIME } from '../../engine/api/option-table.ts';
 import type { KeySpacing } from '../../engine/api/types.ts';
 import {
   addKey,
@@ -15,6 +15,7 @@ import {
 } from '../../model/edits.ts';
 import { SPACINGS } from '../../model/key-spacing.ts';
 import type { Spacing } from '../../model/key-spacing.ts';
+import { undoWords } from '../../model/option-words.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
 import type { KeyRef } from '../../model/state.ts';
 import { formatTime } from '../../model/time-scale.ts';
@@ -58,11 +59,11 @@ export const KEYS = {
   },
   shaping: {
     run: ({ session: { store } }, key: number, name: ShapingNumber, value: number) =>
-      store.edit(PER_KEY[name].undo, (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+      store.edit(undoWords(name), (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
   },
   tightness: {
     run: ({ session: { store } }, tension: number) =>
-      store.edit(`${PER_KEY.tension.undo} of all keys`, (doc) => setTightness(doc, tension), 'tightness'),
+      store.edit(`${undoWords('tension')} of all keys`, (doc) => setTightness(doc, tension), 'tightness'),
   },
   autoTightness: { run: autoTightness },
   spaceKeys: {
@@ -76,7 +77,7 @@ export const KEYS = {
     run({ session: { store } }, key: number, added: KeyTurns) {
       const whose = added.component === undefined ? '' : ` of component ${added.component + 1}`;
       const merge = `turns ${added.component} ${key}`;
-      store.edit(`${PER_KEY.turns.undo}${whose}`, (doc) => setTurns(doc, key, added), merge);
+      store.edit(`${undoWords('turns')}${whose}`, (doc) => setTurns(doc, key, added), merge);
     },
   },
   reference: {
@@ -100,7 +101,7 @@ async function autoTightness(context: Context): Promise<void> {
   const tension = keySpacing.tension.map((value) => Math.ceil(value * 1000) / 1000);
   if (store.get().doc.keys.every(({ shaping }, key) => shaping.tension === tension[key]))
     return context.feedback.say('No key needs a different tension to limit overshoot. Nothing was changed.');
-  store.edit(`${PER_KEY.tension.undo} against overshoot`, (doc) => setTightness(doc, tension));
+  store.edit(`${undoWords('tension')} against overshoot`, (doc) => setTightness(doc, tension));
 }
 
 /** Adds the shown shape as a key at the current time. */

@@ -2,7 +2,7 @@
 import { METHODS, hasEnds } from '../../engine/api/methods.ts';
 import type { Pin } from '../../engine/api/types.ts';
 import { reverseMotion, setMotion } from '../../model/edits.ts';
-import { undoName } from '../../model/page-options.ts';
+import { undoName } from '../../model/option-words.ts';
 import type { End } from '../../model/speeds.ts';
 import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from '../../model/speeds.ts';
 import { BOUNDARIES, DEFAULT_MOTION } from '../../model/state.ts';

@@ -1,7 +1,7 @@
 /** Commands on importing and encoding the shape. */
 import { setEncoding } from '../../model/edits.ts';
 import type { Orientation } from '../../model/orientation.ts';
-import { undoName } from '../../model/page-options.ts';
+import { undoName } from '../../model/option-words.ts';
 import { DEFAULT_ENCODING, GHOST_FACES } from '../../model/state.ts';
 import type { Encoding } from '../../model/state.ts';
 import type { Actions } from './action.ts';

@@ -1,5 +1,5 @@
 /** The container of the Analysis panel, filled once the first shape is on the screen. */
-import { h } from '../../ui/dom.ts';
+import { panelSection } from '../../ui/controls.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LazyComponent } from '../../ui/lazy.ts';
 import type { AnalysisCache } from '../analysis/analysis-cache.ts';
@@ -13,11 +13,7 @@ export function createAnalysisContainer(
   events: AnalysisPanelEvents,
   onFilled: () => void,
 ): AnalysisContainer {
-  const place = h(
-    'section',
-    { class: 'panel', id: 'panel-analysis', 'aria-labelledby': 'analysis-title', 'data-testid': 'panel-analysis' },
-    h('header', {}, h('h2', { id: 'analysis-title' }, 'Analysis')),
-  );
+  const place = panelSection('Analysis');
   const fill = async (): Promise<AnalysisPanel> => {
     const { createAnalysisPanel } = await import('./analysis-panel.ts');
     const panel = createAnalysisPanel(place, cache, events);

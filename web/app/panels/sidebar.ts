@@ -1,13 +1,11 @@
 /** The area beside the shape: the panels, and the dialog for choosing keys of an animation. */
-import { METHOD } from '../../engine/api/methods.ts';
 import { tightness } from '../../model/edits.ts';
-import { DEFAULT_ENCODING, DEFAULT_MOTION, referenceKey } from '../../model/state.ts';
-import { createGhostPanel } from '../../ui/ghost-panel.ts';
+import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../../model/state.ts';
+import { panelSection } from '../../ui/controls.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LazyComponent } from '../../ui/lazy.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
 import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
-import { createShapePanel } from '../../ui/shape-panel.ts';
 import type { Context } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
 import { createAnalysisContainer } from './analysis-container.ts';
@@ -64,10 +62,10 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
     splineOptions.element,
   );
   connect(sampling, samplingProps(sampling));
-  connect(splineOptions, ({ state: { doc }, opened }) => {
+  connect(splineOptions, ({ state: { doc }, opened, disabled }) => {
     // The options are loaded after the first shape, which does not need them.
     if (opened.ms !== null) void splineOptions.need();
-    return doc;
+    return { ...doc, disabled };
   });
   const analysis = createAnalysis(context, commands, onFilled);
   const panels = [
@@ -88,12 +86,10 @@ function motionProps({ session }: Context) {
   const { workspace } = session;
   const poseName = (pose: number): string => workspace.pool?.keys.info.names[pose] ?? '';
   return ({ state: { doc, view }, opened, range, disabled }: Shown) => ({
-    motion: doc.motion,
-    encoding: doc.encoding,
+    ...doc,
     compare: view.compare,
     fitted: session.sequence()?.fitted ?? null,
     maxSpeeds: opened.maxSpeeds,
-    keys: doc.keys,
     poseName,
     placing: opened.placing,
     tightness: tightness(doc),
@@ -112,58 +108,53 @@ function samplingProps({ need }: Sidebar['sampling']) {
 }
 
 function createShape(context: Context, commands: Commands, connect: Connect): HTMLElement {
-  const ghostStudy = createGhostStudy(context, commands);
-  const ghostPanel = createGhostPanel({ onEncoding: commands.encoding, onView: commands.view }, ghostStudy.element);
-  const shapePanel = createShapePanel(ghostPanel.element, {
-    onEncoding: commands.encoding,
-    onReset: commands.resetShape,
-    onOrient: (orientation) => void commands.orient(orientation),
-    onObjects: (names) => void commands.objects(names),
-  });
-  connect(shapePanel, ({ state: { doc, source }, opened, disabled }) => ({
-    encoding: doc.encoding,
-    keys: doc.keys,
-    reference: referenceKey(doc),
-    info: opened.info,
-    stats: opened.stats,
-    threads: opened.threads,
-    canSample: source.kind === 'files',
-    orientation: opened.orientation,
-    objects: opened.objects,
-    disabled,
-    defaults: opened.initial?.encoding ?? DEFAULT_ENCODING,
-    hasStretches: METHOD[doc.motion.method].space !== 'vertices',
-  }));
-  connect(ghostPanel, ({ state: { doc, view }, opened, disabled }) => ({
-    encoding: doc.encoding,
-    view,
-    faces: opened.info?.report.faces ?? 0,
-    stats: opened.stats,
-    lriMethod: METHOD[doc.motion.method].space === 'lri',
-    disabled,
-  }));
-  connect(ghostStudy, ({ opened }) => {
-    // The study is loaded after the first shape, which does not need it.
-    if (opened.ms !== null) void ghostStudy.need();
-  });
-  return shapePanel.element;
-}
-
-function createGhostStudy({ session, feedback, viewState }: Context, commands: Commands) {
+  const { session, feedback, viewState } = context;
   const { engine, store, range, workspace } = session;
   const { onError } = feedback;
-  return lazyComponent(async () => {
-    const { createGhostStudyPanel } = await import('./ghost-study-panel.ts');
-    return createGhostStudyPanel({
-      engine,
-      store,
-      range,
-      pool: () => workspace.pool,
-      samples: () => viewState.page.samples,
-      onEnlarge: commands.enlarge,
-      onError,
-    });
-  }, onError);
+  const panel = panelSection('Shape');
+  const shape = lazyComponent(
+    async () => {
+      const [{ createShapePanel }, { createGhostStudyPanel }] = await Promise.all([
+        import('../../ui/shape-panel.ts'),
+        import('./ghost-study-panel.ts'),
+      ]);
+      const study = createGhostStudyPanel({
+        engine,
+        store,
+        range,
+        pool: () => workspace.pool,
+        samples: () => viewState.page.samples,
+        onEnlarge: commands.enlarge,
+        onError,
+      });
+      const events = {
+        onEncoding: commands.encoding,
+        onView: commands.view,
+        onReset: commands.resetShape,
+        onOrient: commands.orient,
+        onObjects: commands.objects,
+      };
+      return createShapePanel(panel, events, study);
+    },
+    onError,
+    panel,
+  );
+  return connect(shape, ({ state: { doc, source, view }, opened: { info, stats, threads, ...shown }, disabled }) => {
+    // The panel is loaded after the first shape, which does not need it.
+    if (shown.ms !== null) void shape.need();
+    return {
+      ...doc,
+      view,
+      info,
+      stats,
+      threads,
+      canSample: source.kind === 'files',
+      orientation: shown.orientation,
+      objects: shown.objects,
+      disabled,
+      defaults: shown.initial?.encoding ?? DEFAULT_ENCODING,
+    };
+  });
 }
 
 function createAnalysis(context: Context, commands: Commands, onFilled: () => void): AnalysisContainer {

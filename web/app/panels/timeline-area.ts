@@ -1,5 +1,4 @@
 /** The area below the shape: keys, timeline, transport, status line and warnings. */
-import { METHOD } from '../../engine/api/methods.ts';
 import type { AppState } from '../../model/state.ts';
 import { endTangents, referenceKey } from '../../model/state.ts';
 import { phaseOf, timeScale } from '../../model/time-scale.ts';
@@ -158,7 +157,7 @@ function keyStripProps({ state, opened, range, disabled }: Shown): KeyStripProps
     disabled,
     canRemove: doc.keys.length > 2,
     components: opened.stats?.components ?? 1,
-    turns: METHOD[doc.motion.method].turns,
+    motion: doc.motion,
     addReason: addReason(doc.keys, time),
   };
 }

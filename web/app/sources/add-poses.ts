@@ -4,7 +4,7 @@ import { modelName } from '../../engine/api/paths.ts';
 import { readPoses } from '../../engine/api/read-poses.ts';
 import { addKey, setEncoding, timesAt } from '../../model/edits.ts';
 import type { InsertPosition } from '../../model/edits.ts';
-import { undoName } from '../../model/page-options.ts';
+import { undoName } from '../../model/option-words.ts';
 import { TANGENT_NAME } from '../../model/speeds.ts';
 import type { End } from '../../model/speeds.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';

@@ -1,7 +1,8 @@
 /**
  * Every option of the engine, described once: allowed values, default, command-line flag, name in the page. The
  * following are derived from these tables: types and defaults (types.ts), checks (options.ts), project files, the
- * command line with its help, the page's document with links, undo and CSV, and OPTIONS.md. Plain data without imports.
+ * command line with its help, the page's document with links and CSV, bounds of the page's
+ * controls (their words: `web/model/option-words`), and OPTIONS.md. Plain data without imports.
  */
 
 /** Largest absolute time. Differences of 1e-6 are still representable at this time. */
@@ -97,11 +98,6 @@ interface Described {
   value?: string;
   /** The name in the page's document and in links. Absent if the page does not offer the option. */
   page?: string;
-  /** The label of a change in the page's undo. */
-  undo?: string;
-  /** The label and tooltip of the page's control. */
-  label?: string;
-  hint?: string;
 }
 
 export interface NumberOption extends Described {
@@ -135,11 +131,8 @@ export interface OtherOption extends Described {
 
 export type Option = NumberOption | ChoiceOption | OtherOption;
 export type OptionTable = Readonly<Record<string, Option>>;
-type Shown = Required<Pick<Described, 'undo' | 'label' | 'hint'>>;
 /** An option per key: a number, or full turns. */
-export type KeyOption =
-  | (NumberOption & Shown & { default: number; slider: readonly [first: number, last: number] })
-  | (OtherOption & Shown & { kind: 'turns' });
+export type KeyOption = (NumberOption & { default: number }) | (OtherOption & { kind: 'turns' });
 
 /** The type of an option's value. */
 export type ValueOf<O> =
@@ -160,7 +153,6 @@ export const MOTION = {
     flag: 'method',
     help: "lri (default) is the paper's method; the others are for comparison",
     page: 'method',
-    undo: 'method',
   },
   hold: {
     kind: 'choice',
@@ -170,7 +162,6 @@ export const MOTION = {
     flag: 'hold',
     help: 'on holds in place the vertices that hardly move between two keys; off (default) holds none, as in the paper',
     page: 'hold',
-    undo: 'hold',
   },
   /** The user's pins, for the method 'lri'. A vertex in several pins belongs to the first. */
   pins: {
@@ -184,7 +175,6 @@ export const MOTION = {
       '(default: 0.06), or the word patch for the patch of VERTEX. Pinned vertices follow their own splines or stay as in ' +
       'KEY, and are offset by X, Y, Z at time T. Repeatable',
     page: 'pins',
-    undo: 'pins',
   },
   boundary: {
     kind: 'choice',
@@ -193,7 +183,6 @@ export const MOTION = {
     flag: 'boundary',
     help: 'natural (default) has no bending at the ends, hermite has the speeds --start-speed and --end-speed there, periodic is a loop',
     page: 'boundary',
-    undo: 'ends',
   },
   /** Hermite: factor of the one-sided difference at the first key; 0 = ease. */
   startSpeed: {
@@ -205,7 +194,6 @@ export const MOTION = {
     value: 'S',
     help: 'speed at the first key (boundary hermite), relative to the mean speed between the first two keys; 0 eases in; default: 1',
     page: 'startSpeed',
-    undo: 'start speed',
   },
   /** Hermite: factor of the one-sided difference at the last key; 0 = ease. */
   endSpeed: {
@@ -217,7 +205,6 @@ export const MOTION = {
     value: 'S',
     help: 'speed at the last key (boundary hermite), relative to the mean speed between the last two keys; 0 eases out; default: 1',
     page: 'endSpeed',
-    undo: 'end speed',
   },
   /** Periodic: length of the period in units of time; null = the default. */
   period: {
@@ -231,7 +218,6 @@ export const MOTION = {
       'length of one period in seconds (boundary periodic); default: from the first to the last key if their poses are ' +
       'equal, otherwise one mean interval longer',
     page: 'period',
-    undo: 'period',
   },
   /**
    * Number of shapes between two neighbouring keys that are fitted to splined edge lengths and angles, for the method
@@ -247,7 +233,6 @@ export const MOTION = {
     value: 'N',
     help: 'method lri: fit this number of shapes (0 to 3) between neighbouring keys so that edges keep their lengths; default: 0',
     page: 'keepLengths',
-    undo: 'kept lengths',
   },
   /** Largest number of faces of the mesh whose lengths are fitted. */
   spaceFaces: {
@@ -260,7 +245,6 @@ export const MOTION = {
     value: 'N',
     help: 'largest number of faces of the fitted mesh (methods lengths and shell, and --keep-lengths); default: 1,000',
     page: 'spaceFaces',
-    undo: 'fitted mesh',
   },
   /** Number of intervals between the times of the fitted shapes. Each interval between keys has at least two. */
   spaceSamples: {
@@ -273,7 +257,6 @@ export const MOTION = {
     value: 'K',
     help: 'methods lengths and shell: fit shapes at K + 1 times or more, one between two keys; default: 24',
     page: 'spaceSamples',
-    undo: 'fitted shapes',
   },
   /** Removes the translation that accumulates along the sequence. */
   inPlace: { kind: 'flag', default: false, flag: 'in-place', help: 'remove the overall translation' },
@@ -293,10 +276,6 @@ export const PER_KEY = {
     flag: 'tension',
     value: 'X,X,...',
     help: 'one number per key; 0 keeps the smooth slope, 1 stops at the key',
-    undo: 'tension',
-    label: 'Tension',
-    hint: 'Reduces the slope at this key. 0: smooth; 1: stops at the key, which removes overshoot',
-    slider: [0, 1],
   },
   /** Above 0, the slope follows the interval before the key more; below 0, the interval after it. */
   bias: {
@@ -309,10 +288,6 @@ export const PER_KEY = {
     help:
       'one number per key, -1 to 1. Above 0, the slope follows the interval before the key more; below 0, the interval ' +
       'after it',
-    undo: 'bias',
-    label: 'Bias',
-    hint: 'Above 0: the slope follows the interval before this key more; below 0: the interval after it',
-    slider: [-1, 1],
   },
   /** Full turns added between the previous key and this one. */
   turns: {
@@ -322,11 +297,6 @@ export const PER_KEY = {
     help:
       'add N full turns between the previous key and KEY, to the whole shape or to COMPONENT (1-based; components are ' +
       'counted in the order of their faces in the file)',
-    undo: 'turns',
-    label: 'Extra turns since the previous key',
-    hint:
-      'Full turns to add since the previous key, because keys cannot determine their number. ' +
-      'Negative turns have the opposite direction',
   },
 } as const satisfies Readonly<Record<string, KeyOption>>;
 
@@ -340,7 +310,6 @@ export const ENCODING = {
     value: 'KEY',
     help: 'key from which deformations are measured; default: 1',
     page: 'referencePose',
-    undo: 'reference pose',
   },
   /** Approximate number of patches; 0 = the default formula. */
   patches: {
@@ -353,7 +322,6 @@ export const ENCODING = {
     value: 'N',
     help: 'number of patches; default: about the square root of the number of faces',
     page: 'patches',
-    undo: 'patches',
   },
   stretch: {
     kind: 'choice',
@@ -362,7 +330,6 @@ export const ENCODING = {
     flag: 'stretch',
     help: 'interpolation of the stretch: linear (default, as in the paper), or log, with which faces cannot turn inside out',
     page: 'stretch',
-    undo: 'stretch',
   },
   /**
    * Number of faces of a ghost mesh, at least 4, or 0 for none. The motion is computed on the ghost mesh and
@@ -379,7 +346,6 @@ export const ENCODING = {
     value: 'N|off',
     help: 'compute the motion on a simplified mesh (ghost mesh) of about N faces and transfer it to the shape; default: off',
     page: 'ghostFaces',
-    undo: 'ghost faces',
   },
   /** This option requires a ghost mesh. */
   transfer: {
@@ -389,7 +355,6 @@ export const ENCODING = {
     flag: 'transfer',
     help: 'with a ghost mesh: exact (default) passes through every key, paper transfers as in the paper',
     page: 'transfer',
-    undo: 'transfer',
   },
   placement: {
     kind: 'choice',
@@ -398,7 +363,6 @@ export const ENCODING = {
     flag: 'placement',
     help: "vertices (default) puts the ghost mesh's vertices on vertices of the shape, optimal where the error is smallest",
     page: 'placement',
-    undo: 'placement',
   },
   precision: {
     kind: 'choice',
@@ -416,7 +380,6 @@ export const ENCODING = {
     value: 'FILE',
     help: 'pose toward which the motion leaves the first key (boundary hermite); default: the second key',
     page: 'startTangentPose',
-    undo: 'start tangent pose',
   },
   endTangent: {
     kind: 'shape',
@@ -425,7 +388,6 @@ export const ENCODING = {
     value: 'FILE',
     help: 'pose from which the motion arrives at the last key (boundary hermite); default: the key before the last',
     page: 'endTangentPose',
-    undo: 'end tangent pose',
   },
 } as const satisfies OptionTable;
 

@@ -2,9 +2,9 @@
  * What each option of a motion needs, and what excludes it. Refusals of the engine and the command line, options left
  * out of comparisons, and the page's reasons follow from these rows. The core repeats some checks as the last line.
  */
-import { METHOD, OWN_METHOD, hasEnds } from './methods.ts';
+import { METHOD, OWN_METHOD, hasEnds, isFitted } from './methods.ts';
 import { MOTION_DEFAULTS } from './types.ts';
-import type { MotionOptions } from './types.ts';
+import type { MotionOptions, SequenceOptions } from './types.ts';
 
 export type RuledOption = 'boundary' | 'tension' | 'bias' | 'hold' | 'pins' | 'turns' | 'keepLengths';
 export type Ruled = Pick<MotionOptions, 'method' | RuledOption>;
@@ -31,6 +31,36 @@ export const RULES: Readonly<Record<RuledOption, Rule>> = {
   turns: { words: 'full turns', fitsMethod: ({ method }) => METHOD[method].turns },
   keepLengths: { words: 'kept lengths', fitsMethod: ({ method }) => method === OWN_METHOD },
 };
+
+type Deciding = Pick<Ruled, 'method' | 'boundary' | 'keepLengths'>;
+const hasSpeeds = ({ boundary }: Deciding): boolean => boundary === 'hermite';
+const isSpline = ({ method }: Deciding): boolean => METHOD[method].curve === 'spline';
+const isInLriSpace = ({ method }: Deciding): boolean => METHOD[method].space === 'lri';
+
+/** Options without effect unless this is true. The engine accepts them anyway, except for those in RULES. */
+const EFFECTIVE_IF: { readonly [N in keyof SequenceOptions]?: (options: Deciding) => boolean } = {
+  tension: isSpline,
+  bias: isSpline,
+  hold: ({ method }) => METHOD[method].holds,
+  pins: ({ method }) => METHOD[method].holds,
+  turns: ({ method }) => METHOD[method].turns,
+  keepLengths: ({ method }) => method === OWN_METHOD,
+  startSpeed: hasSpeeds,
+  endSpeed: hasSpeeds,
+  startTangent: hasSpeeds,
+  endTangent: hasSpeeds,
+  period: ({ boundary }) => boundary === 'periodic',
+  spaceFaces: isFitted,
+  spaceSamples: ({ method }) => METHOD[method].curve === 'fitted',
+  stretch: ({ method }) => METHOD[method].space !== 'vertices',
+  ghostFaces: isInLriSpace,
+  transfer: isInLriSpace,
+  placement: isInLriSpace,
+};
+
+export function hasEffect(option: keyof SequenceOptions, options: Deciding): boolean {
+  return EFFECTIVE_IF[option]?.(options) ?? true;
+}
 
 const EXCLUDED_BY_KEPT_LENGTHS: readonly RuledOption[] = ['boundary', 'hold', 'pins', 'turns'];
 
