@@ -27,6 +27,7 @@ describe.each(numbers)('the field of %s', (name, { min, max, whole }) => {
     expect([bounds.min, bounds.max]).toEqual([min, max]);
     for (const end of slider) expect(end >= (min ?? -Infinity) && end <= max).toBe(true);
     expect(whole ? Number.isInteger(bounds.step) : true).toBe(true);
+    expect(bounds.step === 'any').toBe(!whole && slider[0] === slider[1]);
   });
 
   it('offers only choices within the bounds', () => {

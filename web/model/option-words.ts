@@ -5,7 +5,7 @@
 import { ENCODING, MOTION, type PER_KEY } from '../engine/api/option-table.ts';
 import { METHOD_WORDS } from './method-words.ts';
 import { pageOptions } from './page-options.ts';
-import { MAX_SPEED, SPEED_STEP } from './speeds.ts';
+import { MAX_SPEED } from './speeds.ts';
 import { GHOST_FACES } from './state.ts';
 
 type OnPage<T> = { [N in keyof T]: T[N] extends { page: string } ? N : never }[keyof T];
@@ -45,7 +45,6 @@ const HELD = 'Not with parts held in place.';
 const SPEED = {
   hint: 'Relative to the constant speed towards the neighbouring key or tangent pose. 0 eases in or out. You can type any value',
   slider: [0, MAX_SPEED],
-  step: SPEED_STEP,
 } as const;
 
 export const OPTION_WORDS: Readonly<Record<WordedOption, OptionWords>> = {

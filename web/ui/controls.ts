@@ -84,7 +84,7 @@ export interface Choice<T extends string> {
   disabled?: boolean;
 }
 
-export interface Segments<T extends string> {
+interface Segments<T extends string> {
   element: HTMLElement;
   /** `reasons`: for each disabled value, a sentence with the reason. */
   update(value: T, reasons?: Partial<Record<T, string>>): void;
@@ -132,8 +132,9 @@ export function segments<T extends string>(
   };
 }
 
-export interface Select<T extends string> {
+interface Select<T extends string> {
   element: HTMLElement;
+  field: HTMLSelectElement;
   update(value: T, choices?: readonly Choice<T>[]): void;
 }
 
@@ -165,6 +166,7 @@ export function select<T extends string>(
   };
   fill(choices);
   return {
+    field,
     element: h(
       'div',
       { class: 'field' },
@@ -194,7 +196,7 @@ interface SliderOptions {
   onInput: (value: number) => void;
 }
 
-export interface Slider {
+interface Slider {
   element: HTMLElement;
   /** `reach`: the slider's end if it differs from `last`. */
   update(value: number, shown?: { disabled?: boolean; reach?: number }): void;
@@ -258,7 +260,7 @@ interface NumberRowOptions extends Omit<NumberFieldOptions, 'onInput'> {
   onInput: (value: number | null) => void;
 }
 
-export interface NumberRow {
+interface NumberRow {
   element: HTMLElement;
   update(value: number | null, shown?: { text?: string; placeholder?: string; disabled?: boolean }): void;
 }

@@ -3,7 +3,7 @@ import type { Colouring, View } from '../model/state.ts';
 import { MIN_FILM_SHAPES, MIN_ONION_SPACING, MAX_FILM_SHAPES } from '../model/state.ts';
 import { MAX_ONION_SKINS, ONION_COLOURS } from '../model/state.ts';
 import type { Choice } from './controls.ts';
-import { button, checkbox, fieldRow, numberField, segments, unit } from './controls.ts';
+import { button, checkbox, fieldRow, numberField, numberRow, segments } from './controls.ts';
 import type { Component } from './dom.ts';
 import { h, setField, setHidden } from './dom.ts';
 
@@ -97,16 +97,17 @@ function createOnionFields({ onView }: DisplayOptionsEvents): Component<View> {
     min: 1,
     max: MAX_ONION_SKINS,
     step: 1,
-    onInput: (value) => onView({ onionSkins: Math.round(value) }),
+    onInput: (onionSkins) => onView({ onionSkins }),
   });
-  const spacing = numberField({
-    label: 'Seconds between onion skins',
+  const spacing = numberRow({
+    label: 'Apart',
+    name: 'Seconds between onion skins',
     testId: 'onion-spacing',
+    unit: 's',
     min: MIN_ONION_SPACING,
     empty: 0,
     onInput: (value) => onView({ onionSpacing: value || null }),
   });
-  spacing.placeholder = 'Auto';
   const side = (when: keyof typeof ONION_COLOURS): HTMLElement =>
     h(
       'span',
@@ -118,35 +119,33 @@ function createOnionFields({ onView }: DisplayOptionsEvents): Component<View> {
     'div',
     { class: 'field', hidden: true },
     fieldRow(h('span', { class: 'onion-sides' }, side('before'), side('after')), count),
-    fieldRow('Apart', spacing, unit('s')),
+    spacing.element,
   );
   return {
     element,
     update({ onion, onionSkins, onionSpacing }) {
       setHidden(element, !onion);
       setField(count, String(onionSkins));
-      setField(spacing, onionSpacing === null ? '' : String(onionSpacing));
+      spacing.update(onionSpacing, { text: String(onionSpacing ?? ''), placeholder: 'Auto' });
     },
   };
 }
 
 function createFilmShapes({ onView }: DisplayOptionsEvents): Component<View> {
-  const count = numberField({
-    label: 'Number of shapes in the film strip',
+  const { element, update } = numberRow({
+    label: 'Shapes in the strip',
+    name: 'Number of shapes in the film strip',
     testId: 'film-shapes',
     min: MIN_FILM_SHAPES,
     max: MAX_FILM_SHAPES,
     step: 1,
-    onInput: (value) => onView({ filmShapes: Math.round(value) }),
+    onInput: (filmShapes) => onView({ filmShapes }),
   });
-  count.placeholder = 'Auto';
-  const text = h('span', { class: 'label' }, 'Shapes in the strip');
-  const element = h('label', { class: 'field row', hidden: true }, text, count);
   return {
     element,
     update({ film, filmShapes }) {
       setHidden(element, !film);
-      setField(count, String(filmShapes ?? ''));
+      update(filmShapes, { text: String(filmShapes ?? ''), placeholder: 'Auto' });
     },
   };
 }

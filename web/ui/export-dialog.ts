@@ -1,25 +1,13 @@
 /** Export options: an animation, one pose, an image, a video, or the numbers. The size is shown first. */
 import { EXPORT } from '../engine/api/option-table.ts';
 import type { KeysInfo } from '../engine/api/types.ts';
-import type {
-  AnimationFormat,
-  Compression,
-  ExportKind,
-  ExportRequest,
-  NumbersFormat,
-  PictureFormat,
-  Playing,
-  PoseFormat,
-  Targets,
-  VideoFormat,
-} from '../model/export-request.ts';
+import type { ExportRequest, Playing, VideoFormat } from '../model/export-request.ts';
 import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
-import type { Choice } from './controls.ts';
-import { button, checkbox, dialog, fieldRow, numberField, segments } from './controls.ts';
+import { button, checkbox, dialog, fieldRow, numberRow, segments } from './controls.ts';
 import { ownRate } from '../model/frames.ts';
 import type { Source } from '../model/state.ts';
-import type { Component, Fields } from './dom.ts';
-import { h, memo, setField, setHidden, setText } from './dom.ts';
+import type { Component } from './dom.ts';
+import { elementsOf, h, memo, setField, setHidden, setText, updateAll } from './dom.ts';
 import type { Change, FieldsProps } from './export-fields.ts';
 import { createPictureFields, createTimeFields } from './export-fields.ts';
 import { exportName, safeName } from './export-name.ts';
@@ -61,112 +49,93 @@ const WORDS: Record<string, string> = {
   patches: 'A table of the faces with their patches.',
 };
 
-const KINDS: readonly Choice<ExportKind>[] = [
-  { value: 'animation', label: 'Animation' },
-  { value: 'pose', label: 'Pose' },
-  { value: 'picture', label: 'Picture' },
-  { value: 'numbers', label: 'Numbers' },
-];
-const ANIMATION_FORMATS: readonly Choice<AnimationFormat>[] = [
-  { value: 'glb', label: 'GLB' },
-  { value: 'obj', label: 'OBJ frames' },
-  { value: 'pc2', label: 'PC2' },
-  { value: 'mdd', label: 'MDD' },
-  { value: 'video', label: 'Video' },
-];
-const POSE_FORMATS: readonly Choice<PoseFormat>[] = [
-  { value: 'glb', label: 'GLB' },
-  { value: 'obj', label: 'OBJ' },
-  { value: 'ply', label: 'PLY' },
-];
-const PICTURE_FORMATS: readonly Choice<PictureFormat>[] = [
-  { value: 'png', label: 'PNG' },
-  { value: 'turntable', label: 'Turntable' },
-];
-const NUMBERS_FORMATS: readonly Choice<NumbersFormat>[] = [
-  { value: 'measures', label: 'Measures (CSV)' },
-  { value: 'patches', label: 'Patches (CSV)' },
-];
-const VIDEO_FORMATS: readonly Choice<VideoFormat>[] = [
-  { value: 'mp4', label: 'MP4' },
-  { value: 'webm', label: 'WebM' },
-  { value: 'gif', label: 'GIF' },
-];
+const isGlb = ({ request }: ExportDialogProps): boolean => request.kind === 'animation' && request.animation === 'glb';
 
-/** The options of each kind and format, and their visibility. */
-function createFormatFields(change: Change): Fields<ExportDialogProps> {
-  const kind = segments('What', 'export-kind', KINDS, (value) => change({ kind: value }));
-  const animation = segments('Format', 'export-animation', ANIMATION_FORMATS, (value) => change({ animation: value }));
-  const pose = segments('Format', 'export-pose', POSE_FORMATS, (value) => change({ pose: value }));
-  const picture = segments('Format', 'export-picture', PICTURE_FORMATS, (value) => change({ picture: value }));
-  const numbers = segments('Format', 'export-numbers', NUMBERS_FORMATS, (value) => change({ numbers: value }));
-  const video = segments('Video format', 'export-video', VIDEO_FORMATS, (value) => change({ video: value }));
+/** Choices of a request, and when they are shown. */
+const CHOICES = {
+  kind: {
+    label: 'What',
+    choices: { animation: 'Animation', pose: 'Pose', picture: 'Picture', numbers: 'Numbers' },
+    isShown: () => true,
+  },
+  animation: {
+    label: 'Format',
+    choices: { glb: 'GLB', obj: 'OBJ frames', pc2: 'PC2', mdd: 'MDD', video: 'Video' },
+    isShown: ({ request }) => request.kind === 'animation',
+  },
+  pose: {
+    label: 'Format',
+    choices: { glb: 'GLB', obj: 'OBJ', ply: 'PLY' },
+    isShown: ({ request }) => request.kind === 'pose',
+  },
+  picture: {
+    label: 'Format',
+    choices: { png: 'PNG', turntable: 'Turntable' },
+    isShown: ({ request }) => request.kind === 'picture',
+  },
+  numbers: {
+    label: 'Format',
+    choices: { measures: 'Measures (CSV)', patches: 'Patches (CSV)' },
+    isShown: ({ request }) => request.kind === 'numbers',
+  },
+  video: {
+    label: 'Video format',
+    choices: { mp4: 'MP4', webm: 'WebM', gif: 'GIF' },
+    isShown: ({ request, videoFormats }) => isVideoRequest(request) && !!videoFormats?.length,
+  },
+  targets: {
+    label: 'Morph targets',
+    choices: { few: 'As few as needed', every: 'Every frame', principal: 'In-betweens' },
+    isShown: isGlb,
+  },
+  compression: {
+    label: 'Numbers',
+    choices: { none: 'Exact', quantized: '16 bits', meshopt: 'Meshopt' },
+    isShown: isGlb,
+  },
+} as const satisfies Partial<Record<keyof ExportRequest, ChoiceRow>>;
+
+interface ChoiceRow {
+  label: string;
+  choices: Readonly<Record<string, string>>;
+  isShown(props: ExportDialogProps): boolean;
+}
+
+function createChoice(name: keyof typeof CHOICES, change: Change): Component<ExportDialogProps> {
+  const { label, choices, isShown }: ChoiceRow = CHOICES[name];
+  const words = Object.entries(choices).map(([value, text]) => ({ value, label: text }));
+  const { element, update } = segments(label, `export-${name}`, words, (value) => change({ [name]: value }));
   return {
-    elements: [kind, animation, pose, picture, numbers, video].map(({ element }) => element),
-    update({ request, videoFormats }) {
-      const { kind: what } = request;
-      kind.update(what);
-      animation.update(request.animation);
-      pose.update(request.pose);
-      picture.update(request.picture);
-      numbers.update(request.numbers);
-      const formats = videoFormats ?? [];
-      if (formats[0]) video.update(request.video ?? formats[0], reasonsAgainst(formats));
-      setHidden(animation.element, what !== 'animation');
-      setHidden(pose.element, what !== 'pose');
-      setHidden(picture.element, what !== 'picture');
-      setHidden(numbers.element, what !== 'numbers');
-      setHidden(video.element, !isVideoRequest(request) || formats.length === 0);
+    element,
+    update(props) {
+      const { request, videoFormats } = props;
+      update(request[name] ?? videoFormats?.[0] ?? '', name === 'video' ? reasonsAgainst(videoFormats ?? []) : {});
+      setHidden(element, !isShown(props));
     },
   };
 }
 
-function reasonsAgainst(formats: readonly VideoFormat[]): Partial<Record<VideoFormat, string>> {
-  const missing = VIDEO_FORMATS.filter(({ value }) => value !== 'gif' && !formats.includes(value));
-  return Object.fromEntries(missing.map(({ value, label }) => [value, `This browser cannot write ${label}.`]));
+function reasonsAgainst(formats: readonly VideoFormat[]): Record<string, string> {
+  const missing = Object.entries(CHOICES.video.choices).filter(
+    ([format]) => format !== 'gif' && !formats.includes(format as VideoFormat),
+  );
+  return Object.fromEntries(missing.map(([format, label]) => [format, `This browser cannot write ${label}.`]));
 }
 
-/** Options of a GLB. */
-function createGlbFields(change: Change) {
-  const targets = segments<Targets>(
-    'Morph targets',
-    'export-targets',
-    [
-      { value: 'few', label: 'As few as needed' },
-      { value: 'every', label: 'Every frame' },
-      { value: 'principal', label: 'In-betweens' },
-    ],
-    (value) => change({ targets: value }),
-  );
-  const compression = segments<Compression>(
-    'Numbers',
-    'export-compression',
-    [
-      { value: 'none', label: 'Exact' },
-      { value: 'quantized', label: '16 bits' },
-      { value: 'meshopt', label: 'Meshopt' },
-    ],
-    (value) => change({ compression: value }),
-  );
-  const tolerance = numberField({
-    label: 'Tolerance in percent of the model’s size',
+function createTolerance(change: Change): Component<ExportDialogProps> {
+  const { element, update } = numberRow({
+    label: 'Tolerance, % of the model’s size',
+    name: 'Tolerance in percent of the model’s size',
     testId: 'export-tolerance',
     min: EXPORT.tolerance.min,
     max: EXPORT.tolerance.max,
-    onInput: (value) => change({ tolerance: value }),
+    onInput: (tolerance) => change({ tolerance: tolerance ?? 0 }),
   });
-  const toleranceRow = fieldRow('Tolerance, % of the model’s size', tolerance);
   return {
-    before: [targets.element, toleranceRow],
-    after: [compression.element],
-    update({ request }: ExportDialogProps): void {
-      const glb = request.kind === 'animation' && request.animation === 'glb';
-      targets.update(request.targets);
-      compression.update(request.compression);
-      setField(tolerance, String(request.tolerance));
-      setHidden(targets.element, !glb);
-      setHidden(compression.element, !glb);
-      setHidden(toleranceRow, !glb || request.targets === 'every');
+    element,
+    update(props) {
+      update(props.request.tolerance);
+      setHidden(element, !isGlb(props) || props.request.targets === 'every');
     },
   };
 }
@@ -187,8 +156,11 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     if (shown) update({ ...shown, request: next, plan: null });
     events.onChange(next);
   };
-  const formats = createFormatFields(change);
-  const glb = createGlbFields(change);
+  const choices = (names: readonly (keyof typeof CHOICES)[]): Component<ExportDialogProps>[] =>
+    names.map((choice) => createChoice(choice, change));
+  const formats = choices(['kind', 'animation', 'pose', 'picture', 'numbers', 'video']);
+  const targets = [...choices(['targets']), createTolerance(change)];
+  const compression = choices(['compression']);
   const time = createTimeFields(change);
   const picture = createPictureFields(change);
   const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
@@ -218,13 +190,13 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
   });
   const element = dialog(
     { title: 'Export', label: 'Export', testId: 'export-dialog', closeId: 'export-close' },
-    ...formats.elements,
+    ...elementsOf(formats),
     about,
     name.element,
-    ...glb.before,
+    ...elementsOf(targets),
     ...time.elements,
     ...picture.elements,
-    ...glb.after,
+    ...elementsOf(compression),
     inPlace.element,
     embed,
     h('footer', {}, plan.element, go),
@@ -234,16 +206,13 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     request = props.request;
     const video = isVideoRequest(request) ? (request.video ?? props.videoFormats?.[0] ?? null) : null;
     const fields: FieldsProps = { ...props, own: props.info && ownRate(props.info), video };
-    formats.update(props);
-    name.update(props);
-    glb.update(props);
+    updateAll([...formats, name, ...targets, ...compression, plan], props);
     time.update(fields);
     picture.update(fields);
     setHidden(inPlace.element, request.kind !== 'animation' || request.animation === 'video');
     inPlace.update(request.inPlace);
     setHidden(embed, request.kind !== 'animation' || request.animation !== 'glb');
     setText(about, WORDS[wordsFor(request)] ?? '');
-    plan.update(props);
   });
   const update = (props: ExportDialogProps): void => {
     shown = props;

@@ -13,7 +13,7 @@ import {
   isVideoRequest,
   sizeName,
 } from '../model/export-request.ts';
-import { button, checkbox, fieldRow, numberField, select, setIdle, unit } from './controls.ts';
+import { checkbox, fieldRow, numberField, resetButton, select, setIdle, unit } from './controls.ts';
 import type { Fields } from './dom.ts';
 import { h, setField, setHidden, setText } from './dom.ts';
 
@@ -52,12 +52,9 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
     max: MAX_SECONDS,
     onInput: (value) => change(turns ? { turn: value } : { duration: value }),
   });
-  const reset = button({
-    label: 'Reset to the playback duration',
-    testId: 'export-duration-reset',
-    icon: 'reset',
-    onClick: () => change({ duration: null }),
-  });
+  const reset = resetButton('Reset to the playback duration', 'export-duration-reset', () =>
+    change({ duration: null }),
+  );
   const speed = h('span', { class: 'unit', 'data-testid': 'export-speed' });
   const frames = numberField({
     label: 'Frames',
@@ -65,7 +62,7 @@ export function createTimeFields(change: Change): Fields<FieldsProps> {
     min: 2,
     max: MAX_FRAMES,
     step: 1,
-    onInput: (value) => change({ frames: Math.round(value), rate: null }),
+    onInput: (value) => change({ frames: value, rate: null }),
   });
   const rate = numberField({
     label: 'Frames per second',
@@ -140,7 +137,7 @@ export function createPictureFields(change: Change): Fields<FieldsProps> {
       max: MAX_PIXELS,
       step: 1,
       onInput: (value) => {
-        if (request) change({ own: { ...request.own, [name]: Math.round(value) } });
+        if (request) change({ own: { ...request.own, [name]: value } });
       },
     });
   const [width, height] = [side('width'), side('height')];

@@ -19,6 +19,8 @@ const TABLE: Readonly<Record<WordedOption, Option>> = { ...MOTION, ...ENCODING, 
 /** More choices than this are in a list. */
 const MAX_SEGMENTS = 4;
 
+const SLIDER_STEP = 0.05;
+
 type Value = string | number | null;
 
 /** What a control shows beside its value. */
@@ -62,7 +64,7 @@ interface NumberBounds {
 
 export function numberBounds(name: WordedOption): NumberBounds {
   const { min, max, whole, default: usual = null } = TABLE[name] as NumberOption;
-  const { step = whole ? 1 : 'any', start = usual, canBeEmpty } = OPTION_WORDS[name];
+  const { slider: ends, step = whole ? 1 : ends ? SLIDER_STEP : 'any', start = usual, canBeEmpty } = OPTION_WORDS[name];
   return { min, max, step, fallback: canBeEmpty ? undefined : start };
 }
 

@@ -4,9 +4,8 @@ import type { KeyRef } from '../model/state.ts';
 import type { Pins } from '../model/pins.ts';
 import { PIN_SIZES, changedPin, pinSize, withoutPin } from '../model/pins.ts';
 import { keyChoices, keyLabel } from '../model/key-names.ts';
-import { button } from './controls.ts';
-import { h, say, setAttribute, setField, setHidden, setText } from './dom.ts';
-import { icon } from './icons.ts';
+import { button, select } from './controls.ts';
+import { h, say, setAttribute, setHidden, setText } from './dom.ts';
 
 const OWN = 'own';
 
@@ -101,13 +100,14 @@ function createRow(
   remove: (index: number) => void,
 ): Row {
   const name = `Pin ${index + 1}`;
-  const mode = dropDown(`${name} holds`, `pin-${index}-mode`, (value) =>
+  const mode = select<string>(`${name} holds`, `pin-${index}-mode`, [], (value) =>
     change(index, { stay: value === OWN ? undefined : Number(value) }),
   );
-  const size = dropDown(`Size of pin ${index + 1}`, `pin-${index}-size`, (value) =>
+  const sizes = PIN_SIZES.map(({ radius, label }) => ({ value: String(radius), label }));
+  const size = select(`Size of pin ${index + 1}`, `pin-${index}-size`, sizes, (value) =>
     change(index, { radius: Number(value) }),
   );
-  size.fill(PIN_SIZES.map(({ radius, label }) => ({ value: String(radius), label })));
+  for (const { element: labelled } of [mode, size]) labelled.classList.add('compact');
   const path = h('span', { class: 'hint', 'data-testid': `pin-${index}-path` });
   const clear = button({
     label: `Clear the path of ${name}`,
@@ -137,15 +137,14 @@ function createRow(
     element,
     update(pin, props) {
       const { keys } = props;
-      mode.fill([
+      const stays = keys.findIndex(({ pose }) => pose === pin.stay);
+      const held = stays < 0 ? 'follows its own spline' : `stays as in ${keyLabel(stays, keys[stays]!.name)}`;
+      setAttribute(mode.field, 'title', `${name} ${held}`);
+      mode.update(stays < 0 ? OWN : String(pin.stay), [
         { value: OWN, label: 'Own spline' },
         ...keyChoices(keys).map(({ value, label }) => ({ value, label: `As in ${label}` })),
       ]);
-      const stays = keys.findIndex(({ pose }) => pose === pin.stay);
-      setField(mode.field, stays < 0 ? OWN : String(pin.stay));
-      const held = stays < 0 ? 'follows its own spline' : `stays as in ${keyLabel(stays, keys[stays]!.name)}`;
-      setAttribute(mode.field, 'title', `${name} ${held}`);
-      setField(size.field, String(pinSize(pin)));
+      size.update(String(pinSize(pin)));
       const count = pin.path?.length ?? 0;
       setHidden(pathRow, count === 0);
       setText(path, `Dragged at ${timesText((pin.path ?? []).map(({ time }) => time))}`);
@@ -160,31 +159,4 @@ const MAX_TIMES = 4;
 function timesText(times: readonly number[]): string {
   if (times.length > MAX_TIMES) return `${times.length} times`;
   return `${times.map((time) => Number(time.toPrecision(3))).join(', ')} s`;
-}
-
-interface DropDown {
-  element: HTMLElement;
-  field: HTMLSelectElement;
-  fill(choices: readonly { value: string; label: string }[]): void;
-}
-
-/** A select without a visible label. */
-function dropDown(label: string, testId: string, onChange: (value: string) => void): DropDown {
-  const field = h('select', {
-    'data-testid': testId,
-    'aria-label': label,
-    title: label,
-    onchange: () => onChange(field.value),
-  });
-  let shown = '';
-  return {
-    field,
-    element: h('div', { class: 'select' }, field, icon('down')),
-    fill(choices) {
-      const next = JSON.stringify(choices);
-      if (next === shown) return;
-      shown = next;
-      field.replaceChildren(...choices.map(({ value, label: text }) => h('option', { value }, text)));
-    },
-  };
 }

@@ -32,7 +32,7 @@ export function createSamplingMode({ onCount, onFewest }: SamplingModeEvents): S
     min: 2,
     step: 1,
     onInput(value) {
-      onCount(Math.min(Math.round(value), MAX_SAMPLED));
+      onCount(Math.min(value, MAX_SAMPLED));
       say(limitHint, value > MAX_SAMPLED ? `At most ${MAX_SAMPLED} keys can be sampled.` : '');
     },
   });

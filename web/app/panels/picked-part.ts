@@ -35,7 +35,7 @@ export function createPickedPart(part: Part, charts: PartCharts, events: PickedP
     step: 1,
     empty: NaN,
     onInput(value) {
-      typed = Number.isNaN(value) ? null : Math.round(value) - first;
+      typed = Number.isNaN(value) ? null : value - first;
       onPick(typed);
     },
   });

@@ -101,7 +101,7 @@ function createMinimised({ onFound, onCharts, onError }: MinimisedEvents): Plane
     min: 4,
     max: MAX_SAMPLES,
     step: 1,
-    onInput: (value) => onCharts({ samples: Math.round(value) }),
+    onInput: (samples) => onCharts({ samples }),
   });
   count.value = count.defaultValue = String(chosen.samples);
   const toggle = checkbox('Minimised over', 'minimised', (minimised) => onCharts({ minimised }));

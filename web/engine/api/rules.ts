@@ -9,15 +9,17 @@ import type { MotionOptions, SequenceOptions } from './types.ts';
 export type RuledOption = 'boundary' | 'tension' | 'bias' | 'hold' | 'pins' | 'turns' | 'keepLengths';
 export type Ruled = Pick<MotionOptions, 'method' | RuledOption>;
 
+type Deciding = Pick<Ruled, 'method' | 'boundary' | 'keepLengths'>;
+
 interface Rule {
   /** The object of "does not support". */
   words: string;
   /** Whether the method supports it, or ignores it without harm. */
-  fitsMethod(options: Ruled): boolean;
+  fitsMethod(options: Deciding): boolean;
 }
 
-const isUnfitted = ({ method }: Ruled): boolean => METHOD[method].curve !== 'fitted';
-const holds = ({ method }: Ruled): boolean => METHOD[method].holds;
+const isUnfitted = ({ method }: Deciding): boolean => METHOD[method].curve !== 'fitted';
+const holds = ({ method }: Deciding): boolean => METHOD[method].holds;
 
 export const RULES: Readonly<Record<RuledOption, Rule>> = {
   boundary: {
@@ -32,19 +34,15 @@ export const RULES: Readonly<Record<RuledOption, Rule>> = {
   keepLengths: { words: 'kept lengths', fitsMethod: ({ method }) => method === OWN_METHOD },
 };
 
-type Deciding = Pick<Ruled, 'method' | 'boundary' | 'keepLengths'>;
 const hasSpeeds = ({ boundary }: Deciding): boolean => boundary === 'hermite';
 const isSpline = ({ method }: Deciding): boolean => METHOD[method].curve === 'spline';
 const isInLriSpace = ({ method }: Deciding): boolean => METHOD[method].space === 'lri';
 
-/** Options without effect unless this is true. The engine accepts them anyway, except for those in RULES. */
+/** Further options without effect unless this is true. The engine accepts them anyway. */
 const EFFECTIVE_IF: { readonly [N in keyof SequenceOptions]?: (options: Deciding) => boolean } = {
+  boundary: () => true,
   tension: isSpline,
   bias: isSpline,
-  hold: ({ method }) => METHOD[method].holds,
-  pins: ({ method }) => METHOD[method].holds,
-  turns: ({ method }) => METHOD[method].turns,
-  keepLengths: ({ method }) => method === OWN_METHOD,
   startSpeed: hasSpeeds,
   endSpeed: hasSpeeds,
   startTangent: hasSpeeds,
@@ -59,7 +57,7 @@ const EFFECTIVE_IF: { readonly [N in keyof SequenceOptions]?: (options: Deciding
 };
 
 export function hasEffect(option: keyof SequenceOptions, options: Deciding): boolean {
-  return EFFECTIVE_IF[option]?.(options) ?? true;
+  return (EFFECTIVE_IF[option] ?? RULES[option as RuledOption]?.fitsMethod ?? (() => true))(options);
 }
 
 const EXCLUDED_BY_KEPT_LENGTHS: readonly RuledOption[] = ['boundary', 'hold', 'pins', 'turns'];
