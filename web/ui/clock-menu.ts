@@ -3,6 +3,7 @@ import { button, checkbox, fieldRow, numberField, setIdle } from './controls.ts'
 import type { KeysInfo } from '../engine/api/types.ts';
 import type { Component } from './dom.ts';
 import { h, memo, setAttribute, setField, setText } from './dom.ts';
+import type { IconName } from './icons.ts';
 import { popover } from './popover.ts';
 import type { Range, TimeScale } from '../model/time-scale.ts';
 import { length } from '../model/time-scale.ts';
@@ -139,22 +140,10 @@ function createLoop({ onLoopEnd, onBetween }: ClockMenuEvents): Component<ClockM
 
 /** The zoom of the timeline. */
 function createZoom({ onZoom, onWindow }: ClockMenuEvents): Component<ClockMenuProps> {
-  const nearer = button({
-    label: 'Zoom in on the timeline',
-    testId: 'zoom-in',
-    icon: 'plus',
-    shortcut: '+',
-    kind: 'plain',
-    onClick: () => onZoom(ZOOM_STEP),
-  });
-  const farther = button({
-    label: 'Zoom out of the timeline',
-    testId: 'zoom-out',
-    icon: 'minus',
-    shortcut: '-',
-    kind: 'plain',
-    onClick: () => onZoom(1 / ZOOM_STEP),
-  });
+  const zoomBy = (factor: number, testId: string, icon: IconName, shortcut: string, label: string): HTMLButtonElement =>
+    button({ label, testId, icon, shortcut, kind: 'plain', onClick: () => onZoom(factor) });
+  const nearer = zoomBy(ZOOM_STEP, 'zoom-in', 'plus', '+', 'Zoom in on the timeline');
+  const farther = zoomBy(1 / ZOOM_STEP, 'zoom-out', 'minus', '-', 'Zoom out of the timeline');
   const whole = button({
     label: 'Show the whole timeline',
     testId: 'zoom-fit',

@@ -1,15 +1,21 @@
 /** Check boxes for the objects, if the files have several. */
+import type { KeysInfo } from '../engine/api/types.ts';
 import { checkbox } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, memo, setHidden } from './dom.ts';
 
-export interface ObjectList {
-  element: HTMLElement;
-  /** `taken`: empty for all objects. The list is hidden for fewer than two objects. */
-  update(props: { names: readonly string[]; taken: readonly string[] }): void;
+interface ObjectListProps {
+  info: KeysInfo | null;
+  /** The user's own files are open, so objects can be chosen again. */
+  canSample: boolean;
+  /** The chosen objects; empty for all. */
+  objects: readonly string[];
 }
 
-/** onTake receives the remaining names in the order of the files. */
-export function createObjectList(onTake: (names: string[]) => void): ObjectList {
+const NO_NAMES: readonly string[] = [];
+
+/** Hidden for fewer than two objects. onTake receives the remaining names in the order of the files. */
+export function createObjectList(onTake: (names: string[]) => void): Component<ObjectListProps> {
   const boxes = h('div', { class: 'object-boxes' });
   const element = h(
     'div',
@@ -33,5 +39,8 @@ export function createObjectList(onTake: (names: string[]) => void): ObjectList 
       }),
     );
   });
-  return { element, update: draw };
+  return {
+    element,
+    update: ({ info, canSample, objects }) => draw({ names: (canSample && info?.objects) || NO_NAMES, taken: objects }),
+  };
 }

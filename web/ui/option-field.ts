@@ -53,19 +53,12 @@ interface ControlOptions {
   validationError?: (value: number) => string | null;
 }
 
-interface NumberBounds {
-  /** Bounds of the option; absent if it has none. */
-  min?: number | undefined;
-  max: number;
-  step: number | 'any';
-  /** Value of the reset button; undefined: there is none. */
-  fallback: number | null | undefined;
-}
-
-export function numberBounds(name: WordedOption): NumberBounds {
+/** The option's bounds, and the value of the reset button; undefined: there is none. */
+export function numberBounds(name: WordedOption) {
   const { min, max, whole, default: usual = null } = TABLE[name] as NumberOption;
-  const { slider: ends, step = whole ? 1 : ends ? SLIDER_STEP : 'any', start = usual, canBeEmpty } = OPTION_WORDS[name];
-  return { min, max, step, fallback: canBeEmpty ? undefined : start };
+  const { slider: ends, start = usual, canBeEmpty, step } = OPTION_WORDS[name];
+  const usualStep = whole ? 1 : ends ? SLIDER_STEP : ('any' as const);
+  return { min, max, step: step ?? usualStep, fallback: canBeEmpty ? undefined : start };
 }
 
 export function optionControl(

@@ -1,6 +1,7 @@
 /** Orientation of files that do not specify it: up axis and unit. */
 import type { Orientation } from '../model/orientation.ts';
 import { segments, select } from './controls.ts';
+import type { Component } from './dom.ts';
 import { h, setHidden } from './dom.ts';
 
 const UNITS: readonly [number, string][] = [
@@ -11,13 +12,10 @@ const UNITS: readonly [number, string][] = [
   [0.3048, 'feet'],
 ];
 
-export interface OrientationControl {
-  element: HTMLElement;
-  /** Shows the orientation; null hides it. */
-  update(orientation: Orientation | null): void;
-}
-
-export function createOrientation(onChange: (orientation: Orientation) => void): OrientationControl {
+/** Hidden without an orientation. */
+export function createOrientation(
+  onChange: (orientation: Orientation) => void,
+): Component<{ orientation: Orientation | null }> {
   let present: Orientation = { up: 'y', unit: 1 };
   const up = segments<Orientation['up']>(
     'Up axis of the files',
@@ -28,16 +26,13 @@ export function createOrientation(onChange: (orientation: Orientation) => void):
     ],
     (value) => onChange({ ...present, up: value }),
   );
-  const unit = select<string>(
-    'Unit of the files',
-    'file-unit',
-    UNITS.map(([value, label]) => ({ value: String(value), label })),
-    (value) => onChange({ ...present, unit: Number(value) }),
+  const unit = select<string>('Unit of the files', 'file-unit', [], (value) =>
+    onChange({ ...present, unit: Number(value) }),
   );
   const element = h('div', { class: 'group', hidden: true, 'data-testid': 'orientation' }, up.element, unit.element);
   return {
     element,
-    update(orientation) {
+    update({ orientation }) {
       setHidden(element, orientation === null);
       if (!orientation) return;
       present = orientation;

@@ -30,8 +30,6 @@ export interface ShapePanelEvents extends GhostPanelEvents {
   onObjects(names: string[]): void;
 }
 
-const NO_NAMES: readonly string[] = [];
-
 /** Fills the panel. `study`: the plot over sizes of the ghost mesh. */
 export function createShapePanel(
   panel: HTMLElement,
@@ -39,18 +37,12 @@ export function createShapePanel(
   study: Part<ShapePanelProps>,
 ): Component<ShapePanelProps> {
   const { onEncoding, onReset, onOrient, onObjects } = events;
-  const orientation = createOrientation(onOrient);
-  const objects = createObjectList(onObjects);
   return fillPanel<'encoding', ShapePanelProps>(panel, 'encoding', onReset, [
     optionField('stretch', onEncoding),
     createReference(onEncoding),
     createPatches(onEncoding),
-    { element: orientation.element, update: (props) => orientation.update(props.orientation) },
-    {
-      element: objects.element,
-      update: ({ canSample, info, objects: taken }) =>
-        objects.update({ names: canSample ? (info?.objects ?? NO_NAMES) : NO_NAMES, taken }),
-    },
+    createOrientation(onOrient),
+    createObjectList(onObjects),
     createGhostPanel(events, study),
     createFacts(),
   ]);

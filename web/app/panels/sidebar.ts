@@ -8,8 +8,7 @@ import { createMotionPanel } from '../../ui/motion-panel.ts';
 import type { Sampling, SamplingProps } from '../../ui/sampling.ts';
 import type { Context } from '../actions/context.ts';
 import type { Commands } from '../actions/table.ts';
-import { createAnalysisContainer } from './analysis-container.ts';
-import type { AnalysisContainer } from './analysis-container.ts';
+import type { AnalysisPanel, AnalysisPanelProps } from './analysis-panel.ts';
 import type { Connect, Shown } from './connect.ts';
 import { endSpeeds } from './timeline-area.ts';
 
@@ -23,10 +22,12 @@ export interface SidebarParts {
   onFilled(): void;
 }
 
+type Analysis = LazyComponent<AnalysisPanelProps, AnalysisPanel>;
+
 export interface Sidebar {
   motionPanel: MotionPanel;
   panels: HTMLElement[];
-  analysis: AnalysisContainer;
+  analysis: Analysis;
   sampling: LazyComponent<SamplingProps, Sampling>;
 }
 
@@ -157,11 +158,13 @@ function createShape(context: Context, commands: Commands, connect: Connect): HT
   });
 }
 
-function createAnalysis(context: Context, commands: Commands, onFilled: () => void): AnalysisContainer {
-  const { session, display, animation, viewState } = context;
-  return createAnalysisContainer(
-    context.analysis,
-    {
+/** The figures are made once the first shape is on the screen. */
+function createAnalysis(context: Context, commands: Commands, onFilled: () => void): Analysis {
+  const { session, display, animation, analysis, viewState } = context;
+  const place = panelSection('Analysis');
+  const fill = async (): Promise<AnalysisPanel> => {
+    const { createAnalysisPanel } = await import('./analysis-panel.ts');
+    const panel = createAnalysisPanel(place, analysis, {
       onSeek: commands.seek,
       onSpeed: commands.endSpeed,
       onEnlarge: commands.enlarge,
@@ -176,8 +179,10 @@ function createAnalysis(context: Context, commands: Commands, onFilled: () => vo
       onColouring: (colouring) => commands.view({ colouring }),
       onMark: commands.mark,
       onCharts: (part) => viewState.change({ charts: { ...viewState.page.charts, ...part } }),
-      onError: context.analysis.onError,
-    },
-    onFilled,
-  );
+      onError: analysis.onError,
+    });
+    onFilled();
+    return panel;
+  };
+  return lazyComponent(fill, analysis.onError, place);
 }
