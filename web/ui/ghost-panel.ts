@@ -45,7 +45,7 @@ export function createGhostPanel<P extends GhostPanelProps>(events: GhostPanelEv
   const sizes = group([study], ({ motion }) => hasEffect('ghostFaces', motion));
   const element = h(
     'section',
-    { class: 'group ghost', 'aria-label': 'Ghost mesh', 'data-testid': 'panel-ghost' },
+    { class: 'group ghost', id: 'panel-ghost', 'aria-label': 'Ghost mesh', 'data-testid': 'panel-ghost' },
     toggle.element,
     hint,
     details.element,

@@ -26,15 +26,15 @@ export interface GuidePage {
   state: string;
   /** The panel that the page describes. */
   panel?: PanelName;
-  /** CSS selector of the panel's part to scroll to. */
+  /** Id of the panel's part to scroll to. */
   part?: string;
   /** The plot that the page describes; a presentation shows it first. */
   plot?: Plot;
   /** Panels have more width than usual. */
   wide?: true;
-  /** CSS selector of a control that the page presses. Leaving the page clears a check box that it ticked. */
+  /** Id of a control that the page presses. Leaving the page clears a check box that it ticked. */
   press?: string;
-  /** A field that the page fills in, by its CSS selector. Leaving the page empties it. */
+  /** A field that the page fills in, by its id. Leaving the page empties it. */
   fill?: { field: string; value: string };
   /** Describes the view in a few sentences. */
   text: string;

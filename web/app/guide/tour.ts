@@ -52,7 +52,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     state: 'sample=twisted-bar&compare=linear&between=0,0.5&t=0.25&loop=bounce&play=1',
     text: 'Two poses of a bar differ by half a turn. The simplest idea is to move every vertex along a straight line between its two positions. How much of the bar’s volume is left halfway? Guess first.',
     panel: 'analysis',
-    part: '[data-plot="volume"]',
+    part: 'plot-volume',
     plot: 'volume',
     task: 'Drag the time slider halfway between the first two keys, and compare the two volumes.',
     sentence:
@@ -71,8 +71,8 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     state: 'sample=cactus&colour=patches&between=0,1&t=0&loop=bounce&play=1',
     text: 'The surface is cut into patches. For each pair of neighbouring patches, only the relative rotation is kept. For each face, the rotation and stretch within its patch are kept. The position of the shape is not part of the description.',
     panel: 'analysis',
-    part: '.faces',
-    fill: { field: '#face-number', value: '12000' },
+    part: 'faces',
+    fill: { field: 'face-number', value: '12000' },
     plot: 'face-rotation',
     task: 'Click the shape. The Analysis panel plots how that face rotates and stretches within its patch. Then switch to Patch.',
     sentence:
@@ -101,7 +101,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
     panel: 'analysis',
     state: 'sample=cactus&compare=geodesic&between=0,1&t=0&loop=bounce&play=1',
     text: 'The cactus on the right takes the shortest path from key to key, a geodesic. In shape space it is straight between keys and has a corner at the middle key, where it changes direction abruptly.',
-    part: '[data-plot="bending"]',
+    part: 'plot-bending',
     plot: 'bending',
     task: 'Watch the middle key, then look at the Bending energy plot.',
     sentence: 'The shortest path is straight from key to key, and turns sharply at each key.',
@@ -139,8 +139,8 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'Beyond the keys',
     panel: 'analysis',
-    part: '.faces',
-    fill: { field: '#face-number', value: `${SHRINKING}` },
+    part: 'faces',
+    fill: { field: 'face-number', value: `${SHRINKING}` },
     plot: 'face-stretch',
     state: 'sample=turret&colour=phase&between=0,1.4&t=0&loop=bounce&play=1',
     text: 'Past the last key, the motion keeps its speed. A rotation can continue forever, but a stretch cannot. A face that keeps shrinking by the same amount reaches zero size and then turns inside out. The displayed surface is clamped before that, but its coordinates are not.',
@@ -157,7 +157,7 @@ const STEPS: readonly Omit<GuidePage, 'link'>[] = [
   {
     title: 'The plane of shapes',
     panel: 'analysis',
-    part: '[data-plot="plane"]',
+    part: 'plot-plane',
     plot: 'plane',
     wide: true,
     state: 'sample=cactus&compare=geodesic,linear&between=-0.2,1.2&t=0&loop=bounce&play=1',

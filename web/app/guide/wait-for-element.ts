@@ -2,9 +2,9 @@
 import type { PanelName } from '../panels/layout.ts';
 
 /** Calls `act` once, as soon as the element exists; returns a function that stops waiting. */
-export function waitForElement(selector: string, act: (element: HTMLElement) => void): () => void {
+export function waitForElement(id: string, act: (element: HTMLElement) => void): () => void {
   const found = (): boolean => {
-    const element = document.querySelector<HTMLElement>(selector);
+    const element = document.getElementById(id);
     if (element) act(element);
     return element !== null;
   };
@@ -15,9 +15,9 @@ export function waitForElement(selector: string, act: (element: HTMLElement) => 
   return () => waiting.disconnect();
 }
 
-/** Presses a control unless it is already ticked; returns a function that clears the tick. */
+/** Presses a button, or a check box by its label, unless it is already ticked; returns a function that clears the tick. */
 export function pressed(control: HTMLElement): () => void {
-  const tick = control instanceof HTMLInputElement ? control : null;
+  const tick = control.querySelector('input');
   if (tick?.checked) return () => undefined;
   control.click();
   return () => {
@@ -45,7 +45,7 @@ const TOUCHES = ['pointerdown', 'wheel', 'keydown'] as const;
  * uses the options or calls the returned function.
  */
 export function untilTouched(panel: PanelName, show: () => void): () => void {
-  const element = document.querySelector<HTMLElement>(`#panel-${panel}`);
+  const element = document.getElementById(`panel-${panel}`);
   const side = element?.closest<HTMLElement>('.side');
   if (!element || !side) return () => undefined;
   const watching = new ResizeObserver(show);

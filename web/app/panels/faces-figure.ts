@@ -95,7 +95,7 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
   choose(charts);
   const element = h(
     'section',
-    { class: 'group faces', 'aria-label': 'Patches and faces', 'data-testid': 'faces' },
+    { class: 'group', id: 'faces', 'aria-label': 'Patches and faces', 'data-testid': 'faces' },
     ...colours.elements,
     choice.element,
     h('p', { class: 'plane-note' }, HINT),

@@ -15,6 +15,7 @@ export type FigureToolsOptions = FigureFilesOptions & FigureEvents;
 /** Adds the enlarge button, and values and files, which are loaded on first use. Call the result after each redraw. */
 export function addFigureTools(figure: HTMLElement, options: FigureToolsOptions): () => void {
   const { plot, title, onEnlarge, onError } = options;
+  figure.id = `plot-${plot}`;
   setAttribute(figure, 'data-plot', plot);
   const enlarge = button({
     label: 'Enlarge',

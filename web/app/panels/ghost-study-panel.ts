@@ -49,7 +49,13 @@ export function createGhostStudyPanel(parts: GhostStudyParts): GhostStudyPanel {
   const starts = h('div', { class: 'button-row' }, start, startShapes);
   const working = createWorkingLine('study', 'Cancel the comparison', () => abort?.abort());
   const result = h('div', { class: 'group', 'data-testid': 'study', hidden: true });
-  const element = h('div', { class: 'group study', 'data-testid': 'study-charts' }, starts, working.element, result);
+  const element = h(
+    'div',
+    { class: 'group', id: 'study-charts', 'data-testid': 'study-charts' },
+    starts,
+    working.element,
+    result,
+  );
   let abort: AbortController | null = null;
   /** The pose pool and document of the study; null without a study. */
   let of: { pool: PosePool; subject: string } | null = null;

@@ -33,7 +33,7 @@ export interface Layout {
   mount(root: HTMLElement, parts: LayoutParts): void;
   /** Puts the guide's panel beside the viewport, optionally with wider panels; null removes it. */
   setGuide(panel: HTMLElement | null, wide?: boolean): void;
-  /** Scrolls to a panel, or to the part that a CSS selector finds, if panels are beside the viewport. */
+  /** Scrolls to a panel, or to its part with this id, if panels are beside the viewport. */
   showPanel(name: PanelName, part?: string): void;
   /** Replaces the panels beside the viewport by another page; null restores them. */
   setFramed(page: { href: string; title: string } | null): void;
@@ -102,7 +102,7 @@ export function createLayout(): Layout {
     },
     showPanel(name, part) {
       const panel = app?.querySelector<HTMLElement>(`#panel-${name}`);
-      const found = (part && panel?.querySelector<HTMLElement>(part)) || panel;
+      const found = (part && panel?.querySelector<HTMLElement>(`#${part}`)) || panel;
       const side = found?.closest('.side');
       if (!found || !side) return;
       const down = found.getBoundingClientRect().top - side.getBoundingClientRect().top;
