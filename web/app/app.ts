@@ -27,8 +27,8 @@ import { createOffers } from './view/offers.ts';
 import { createSignal } from './view/signal.ts';
 import { createViewState } from './view/view-state.ts';
 import { listenToLeaving, listenToNetwork, listenToPointer } from './view/window-events.ts';
-import { begin, createVisit } from './startup.ts';
-import type { GuideLinks, Visit } from './startup.ts';
+import { begin, createStartup } from './startup.ts';
+import type { GuideLinks, Startup } from './startup.ts';
 import { createIoControllers } from './io-controllers.ts';
 
 export function startApp(root: HTMLElement, engine: StartedEngine): void {
@@ -52,8 +52,8 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
   const analysis = createAnalysisCache(session, () => viewState.opened.ms ?? 1, feedback.onError);
   const onOffer = offers.imported.offer;
   const ioControllers = createIoControllers({ session, display, analysis, viewState, feedback, onOffer });
-  const visit = createVisit({ ...ioControllers, viewState, feedback, offers });
-  const guide = lazy(() => loadGuide(session, ioControllers, layout, visit));
+  const startup = createStartup({ ...ioControllers, viewState, feedback, offers });
+  const guide = lazy(() => loadGuide(session, ioControllers, layout, startup));
   const context: Context = {
     ...ioControllers,
     session,
@@ -99,7 +99,7 @@ export function startApp(root: HTMLElement, engine: StartedEngine): void {
     });
   registerServiceWorker(
     { onNewVersion, onRepaired: feedback.say },
-    begin(context, visit, offers, guideLinks(guide, feedback)),
+    begin(context, startup, offers, guideLinks(guide, feedback)),
   );
   void display.scene.viewer.firstSeen.then(redraw);
   look();
@@ -120,14 +120,14 @@ async function loadGuide(
   { store, workspace }: Session,
   { files, remembered, link }: IoControllers,
   layout: Layout,
-  visit: Visit,
+  startup: Startup,
 ): Promise<Guide> {
   const { createGuide } = await import('./guide/guide.ts');
   return createGuide({
     store,
     workspace,
     files,
-    openInitial: visit.openBegun,
+    openInitial: startup.openBegun,
     place: layout.setGuide,
     showPanel: layout.showPanel,
     frame: layout.setFramed,

@@ -9,11 +9,11 @@ import { createTestHook, installTestHook } from './test-hook.ts';
 import type { TestHook } from './test-hook.ts';
 import type { Offers } from './view/offers.ts';
 
-export interface VisitParts extends Pick<Context, 'viewState' | 'feedback' | 'files' | 'remembered' | 'link'> {
+export interface StartupParts extends Pick<Context, 'viewState' | 'feedback' | 'files' | 'remembered' | 'link'> {
   offers: Offers;
 }
 
-export interface Visit {
+export interface Startup {
   /** Opens what the URL names. */
   open(named: () => string, guide: GuideLinks): Promise<void>;
   /** Opens the content of the URL before the guide. */
@@ -29,7 +29,7 @@ export interface GuideLinks {
   follow(fragment: string | null): void;
 }
 
-export function createVisit({ offers, viewState, feedback, files, remembered, link }: VisitParts): Visit {
+export function createStartup({ offers, viewState, feedback, files, remembered, link }: StartupParts): Startup {
   const { say } = feedback;
   const onStopped = offers.notReopened.offer;
   let begun = '';
@@ -56,13 +56,13 @@ export function createVisit({ offers, viewState, feedback, files, remembered, li
 }
 
 /** Opens the URL's content; resolves when it is completely shown. */
-export function begin(context: Context, visit: Visit, offers: Offers, guide: GuideLinks): Promise<void> {
+export function begin(context: Context, startup: Startup, offers: Offers, guide: GuideLinks): Promise<void> {
   const { session, display, feedback } = context;
   const { frameLoop } = display.playback;
-  const ready = visit.open(visit.address, guide).then(() => frameLoop.idle());
+  const ready = startup.open(startup.address, guide).then(() => frameLoop.idle());
   const resetTo = async (fragment: string): Promise<void> => {
     const { reset } = await import('./reset.ts');
-    return reset({ context, offers, visit: (to) => visit.open(() => to, guide) }, fragment);
+    return reset({ context, offers, visit: (to) => startup.open(() => to, guide) }, fragment);
   };
   installTestHook(testHookOf(context, ready, resetTo));
   const shown = ready
