@@ -213,6 +213,19 @@ describe('shapespline measure', () => {
     }
   });
 
+  it("leaves a project's options out only for the methods that lack them", { timeout: 60_000 }, async () => {
+    const keys = await engine.importKeyframes([await rigFile()], { sample: [0, 0.5, 1, 1.5, 2] });
+    const held = await engine.createSequence(keys, { hold: 'on' });
+    const [glb] = await held.export({ format: 'glb' });
+    const folder = await folderOf([{ name: 'held.glb', bytes: glb!.bytes }]);
+    const volumesOf = async (methods: string): Promise<string[]> => {
+      const { code, stdout } = await runCli(folder, 'measure', 'held.glb', '--methods', methods, '--frames', '9');
+      expect(code).toBe(0);
+      return column(read(stdout), 'lri volume');
+    };
+    expect(await volumesOf('rimd,lri')).toEqual(await volumesOf('lri,rimd'));
+  });
+
   it('refuses unusable input with a message', { timeout: 60_000 }, async () => {
     const pose = (height: number): Uint8Array => text(`v 0 0 0\nv 1 0 0\nv 0 ${height} 0\nf 1 2 3\n`);
     const folder = await folderOf([

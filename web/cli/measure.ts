@@ -58,9 +58,10 @@ export async function measure(args: Arguments): Promise<Measured> {
     const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));
     const sequence = await shape.motion(motionOf(wholly));
-    // Options that a compared method lacks are left out for that method.
+    // Options that a compared method lacks are left out for that method only.
+    const wished = { ...wholly, ...keys.info.project, ...options };
     const motionBy = async (method: Method): Promise<Motion> => {
-      const own = motionFor(ghostFor(wholly, method), { method });
+      const own = motionFor(ghostFor(wished, method), { method });
       const same = own.ghostFaces === wholly.ghostFaces;
       return (same ? shape : await engine.encode(keys, encodingOf(own))).motion(motionOf(own));
     };
