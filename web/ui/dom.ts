@@ -27,9 +27,13 @@ export function updateAll<Props>(parts: readonly Part<Props>[], props: Props): v
   for (const part of parts) if ('update' in part) part.update(props);
 }
 
-/** Parts below each other, hidden unless `isShown`. */
-export function group<P>(parts: readonly Part<P>[], isShown: (props: P) => boolean = () => true): Component<P> {
-  const element = h('div', { class: 'group' }, ...elementsOf(parts));
+/** Parts below each other, hidden unless `isShown`. 'rows': as far apart as the rows around them. */
+export function group<P>(
+  parts: readonly Part<P>[],
+  isShown: (props: P) => boolean = () => true,
+  kind: 'group' | 'rows' = 'group',
+): Component<P> {
+  const element = h('div', { class: kind }, ...elementsOf(parts));
   return {
     element,
     update(props) {

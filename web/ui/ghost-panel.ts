@@ -5,7 +5,7 @@ import { GHOST_FACES } from '../model/state.ts';
 import type { Encoding, View } from '../model/state.ts';
 import { checkbox } from './controls.ts';
 import type { Component, Part } from './dom.ts';
-import { group, h, say, setText } from './dom.ts';
+import { group, h, setText } from './dom.ts';
 import { optionField } from './option-field.ts';
 import type { OptionProps } from './option-field.ts';
 
@@ -62,7 +62,7 @@ export function createGhostPanel<P extends GhostPanelProps>(events: GhostPanelEv
           ? 'The motion is computed on a coarse mesh and transferred to the full shape.'
           : 'This method uses no ghost mesh.',
       );
-      say(used, encoding.ghostFaces > 0 && stats ? usedText(stats.ghostFaces, info?.report.faces ?? 0) : '');
+      setText(used, encoding.ghostFaces > 0 && stats ? usedText(stats.ghostFaces, info?.report.faces ?? 0) : '');
       details.update(props);
       sizes.update(props);
     },

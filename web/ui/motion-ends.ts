@@ -45,7 +45,7 @@ export function createMotionEnds(events: MotionEndsEvents): MotionEnds {
   );
   const period = group<MotionEndsProps>([createPeriod(events)], ({ motion }) => hasEffect('period', motion));
   return {
-    ...group([optionField('boundary', events.onMotion), ease, period]),
+    ...group([optionField('boundary', events.onMotion), ease, period], undefined, 'rows'),
     endAt({ x, y }) {
       const [under] = document.elementsFromPoint(x, y).filter((one) => ease.element.contains(one));
       return ENDS.find((_, index) => under && tangents[index]!.element.contains(under)) ?? null;

@@ -119,7 +119,7 @@ function createHolding({ onMotion, onPlacing }: MotionPanelEvents): Component<Mo
     update: ({ motion, ...props }) =>
       pins.update({ ...props, pins: motion.pins, periodic: motion.boundary === 'periodic' }),
   };
-  return group([hold, list], ({ motion }) => hasEffect('pins', motion));
+  return group([hold, list], ({ motion }) => hasEffect('pins', motion), 'rows');
 }
 
 /** The tension of all keys. */
@@ -157,5 +157,5 @@ function createTiming({ onSpacing, onReverse }: MotionPanelEvents): HTMLElement 
     text: 'Reverse',
     onClick: onReverse,
   });
-  return h('div', { class: 'group' }, buttonGroup('Space keys', ...spacings), buttonGroup('Direction', reverse));
+  return h('div', { class: 'rows' }, buttonGroup('Space keys', ...spacings), buttonGroup('Direction', reverse));
 }

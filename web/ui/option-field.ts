@@ -72,7 +72,7 @@ export function optionControl(
   if (!explains && !note) return control;
   const below = h('p', { class: 'hint', 'data-testid': `${testId}-hint` }, note);
   return {
-    element: h('div', { class: 'group' }, control.element, below),
+    element: h('div', { class: 'rows' }, control.element, below),
     update(value, shown) {
       control.update(value, shown);
       if (explains) setText(below, `${choices?.[String(value)]?.hint ?? ''}${shown.note ?? ''}`);

@@ -5,7 +5,7 @@ import type { Orientation } from '../model/orientation.ts';
 import type { Encoding } from '../model/state.ts';
 import { referenceKey } from '../model/state.ts';
 import type { Component, Part } from './dom.ts';
-import { h, memo, say } from './dom.ts';
+import { h, memo, setText } from './dom.ts';
 import { createGhostPanel } from './ghost-panel.ts';
 import type { GhostPanelEvents, GhostPanelProps } from './ghost-panel.ts';
 import { createObjectList } from './object-list.ts';
@@ -62,7 +62,7 @@ function createPatches(onEncoding: ShapePanelEvents['onEncoding']): Component<Sh
     'patches',
     onEncoding,
     ({ encoding: { patches }, stats }) => {
-      say(used, stats && patches !== 0 && stats.patches !== patches ? `${stats.patches} used` : '');
+      setText(used, stats && patches !== 0 && stats.patches !== patches ? `${stats.patches} used` : '');
       return patches === 0 ? { text: '', placeholder: stats ? `Auto (${stats.patches})` : 'Auto' } : {};
     },
     { beside: used },
