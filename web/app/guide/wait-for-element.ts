@@ -15,7 +15,7 @@ export function waitForElement(id: string, act: (element: HTMLElement) => void):
   return () => waiting.disconnect();
 }
 
-/** Presses a button, or a check box by its label, unless it is already ticked; returns a function that clears the tick. */
+/** Presses a button, or a check box by its label unless it is ticked; returns a function that clears the tick. */
 export function pressed(control: HTMLElement): () => void {
   const tick = control.querySelector('input');
   if (tick?.checked) return () => undefined;
