@@ -10,8 +10,8 @@ namespace {
 constexpr int maxFaces = 500;
 // Weights relative to all keys. Between equally central keys, as two are, the one with the larger area decides; between
 // keys of equal area, the reference instead of noise.
-constexpr double areaWeight = 1e-3;
-constexpr double referenceWeight = 1e-5;
+constexpr double areaWeight = 1e-4;
+constexpr double referenceWeight = 1e-6;
 
 double areaOf(const Positions& p, const Triangle& t) { return (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm(); }
 
