@@ -39,6 +39,8 @@ async function verticesIn(frame: Frame): Promise<number> {
   await frame.waitForFunction(() => window.__shapespline !== undefined);
   return frame.evaluate(async () => {
     await window.__shapespline!.ready;
+    // A shape that is replaced meanwhile has no counters.
+    await window.__shapespline!.settled();
     return (await window.__shapespline!.stats())?.weldedVertices ?? 0;
   });
 }

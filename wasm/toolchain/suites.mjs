@@ -85,7 +85,7 @@ function reason(message = '') {
     .split('\n')
     .map((line) => line.trim());
   const place = lines.find((line) => line.startsWith('at ') && line.includes(inRoot('tests')));
-  const words = lines.filter((line) => line && !line.startsWith('at ')).slice(0, 3);
+  const words = lines.filter((line) => line && !line.startsWith('at ')).slice(0, 10);
   return [...words, ...(place ? [place] : [])].map((line) => `\n    ${line.slice(0, 200)}`).join('');
 }
 
