@@ -2,6 +2,7 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import { closeSync, existsSync, openSync } from 'node:fs';
 import { mkdir, readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
+import { fileURLToPath } from 'node:url';
 import { beforeAll, describe, expect, it } from 'vitest';
 import packageJson from '../../package.json';
 import { folderOf, listed, program, runCli, runNode } from './support/cli.ts';
@@ -385,6 +386,45 @@ describe('complete', () => {
       options: { sequence: { boundary: 'periodic', period: 3, keyTimes: [0, 1, 2] } },
       isProject: true,
     });
+  });
+});
+
+describe('a project that commit 4f00d434 wrote', () => {
+  const project = fileURLToPath(new URL('../saved/project.glb', import.meta.url));
+
+  it('opens with its keys and options, and says which option is gone', async () => {
+    const { code, stderr } = await runCli(
+      folder,
+      'complete',
+      project,
+      '--output',
+      'saved.glb',
+      '--report',
+      'saved.json',
+    );
+    expect([code, stderr]).toEqual([0, expect.stringContaining('own paths of faces. The option is gone')]);
+    expect(await json('saved.json')).toMatchObject({
+      keys: [
+        { name: 'a', time: 0 },
+        { name: 'b', time: 1 },
+        { name: 'c', time: 2 },
+      ],
+      options: { sequence: { boundary: 'hermite', endSpeed: 2, tension: [0, 0.5, 0] } },
+    });
+  });
+
+  it('has the motion that the keys have with its options', async () => {
+    const objs = [0.5, 0.2, -0.1].map((x, i) => ({
+      name: `saved-${i}.obj`,
+      bytes: new TextEncoder().encode(`v 0 0 0\nv 1 0 0\nv ${1 + x} 0 1\nv ${x} 0 1\nf 1 2 3 4\n`),
+    }));
+    await Promise.all(objs.map(({ name, bytes }) => writeFile(path.join(folder, name), bytes)));
+    const options = ['--boundary=hermite', '--end-speed=2', '--tension=0,0.5,0'];
+    const at = ['--at', '1.4'];
+    await runCli(folder, 'complete', project, ...at, '--output', 'saved.obj');
+    await runCli(folder, 'complete', ...objs.map(({ name }) => name), ...options, ...at, '--output', 'again.obj');
+    const [saved, again] = [await objOf('saved.obj'), await objOf('again.obj')];
+    expect(largestDistance(saved.positions, again.positions)).toBeLessThan(1e-6);
   });
 });
 

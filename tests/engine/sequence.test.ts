@@ -118,6 +118,19 @@ describe('a sequence', () => {
   });
 });
 
+describe('an update to a method that lacks an inherited option', () => {
+  it('leaves the option out and says so', async () => {
+    const { keys } = await bendKeys(engine);
+    const sequence = await engine.createSequence(keys, { hold: 'on' });
+    await sequence.update({ method: 'linear' });
+    expect(sequence.warnings).toMatchObject([{ code: 'option-left-out', message: expect.stringMatching(/'linear'/) }]);
+    await sequence.update({ method: 'cubic-vertex' });
+    expect(sequence.warnings.map(({ code }) => code)).not.toContain('option-left-out');
+    sequence.dispose();
+    keys.dispose();
+  });
+});
+
 describe('arranged keys', () => {
   it('give further sequences without another import', async () => {
     const { keys, poses } = await bendKeys(engine);

@@ -48,10 +48,13 @@ describe.each(METHODS)('the method %s', (method) => {
     for (const [[one], [other]] of pairs) {
       const own = motionFor({ ...MOTION_DEFAULTS, ...one, ...other }, { method });
       expect(conflicts(own).filter((conflict) => conflict.other === 'method')).toEqual([]);
-      const inherited = checkRules({ ...MOTION_DEFAULTS, ...one, ...other, method }, { method });
+      const all = { ...MOTION_DEFAULTS, ...one, ...other, method };
+      const { motion: inherited, warnings } = checkRules(all, { method });
       expect(conflicts(inherited)).toEqual([]);
+      expect(warnings.length > 0).toBe(conflicts(all).length > 0);
+      for (const { message } of warnings) expect(message).toMatch(/does not support .*\. The motion is made without /);
       for (const option of Object.keys(RULES) as RuledOption[])
-        if (RULES[option].fitsMethod({ ...MOTION_DEFAULTS, ...one, ...other, method }))
+        if (RULES[option].fitsMethod(all))
           expect(own[option]).toEqual({ ...MOTION_DEFAULTS, ...one, ...other }[option]);
     }
   });

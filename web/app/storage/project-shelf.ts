@@ -49,10 +49,7 @@ export interface Shelf {
   setAside: number;
 }
 
-/**
- * Increment the format when older projects become unreadable. Formats 1 and 2 stored one project, under keys without an
- * id.
- */
+/** Increment the format when older projects become unreadable. */
 const FORMAT = 3;
 const PROJECT = 'project ';
 /** Files have a separate record, because they can be large and do not change. Its key contains the project's id. */
@@ -155,7 +152,6 @@ export function forgetProject(id: string): Promise<void> {
 /** All stored projects. Moves unreadable ones to another key for recovery. */
 export function readShelf(): Promise<Shelf> {
   return atomically(async (store) => {
-    await upgrade(store);
     const { projects, broken } = await readAll(store);
     for (const key of broken) await setAside(store, key.slice(PROJECT.length));
     return { projects, setAside: broken.length };
@@ -240,18 +236,4 @@ export function areFiles(files: unknown): files is InputFile[] {
 
 function isListOf<T>(list: unknown, isOne: (one: T) => boolean): boolean {
   return Array.isArray(list) && list.every(isOne);
-}
-
-/** Format 1 had `rest` and `files`; format 2 had `project` and `files`. */
-async function upgrade(store: IDBObjectStore): Promise<void> {
-  const files = await stored(store, 'files');
-  const [rest, project] = [await stored(store, 'rest'), await stored(store, 'project')];
-  const old = (project ?? rest) as (Changing & { format?: number; opening?: boolean }) | undefined;
-  if (old === undefined && files === undefined) return;
-  const readable = project === undefined || old?.format === 2;
-  const record = { ...old, ...(readable ? { format: FORMAT } : {}) };
-  const id = newProjectId();
-  store.put({ opening: false, version: 1, changed: Date.now(), ...record, id }, PROJECT + id);
-  if (files !== undefined) store.put(files, FILES + id);
-  for (const key of ['format', 'rest', 'project', 'files']) store.delete(key);
 }

@@ -3,7 +3,7 @@
  * option's name, before anything is sent to a worker.
  */
 import { invalidOption, type EngineError } from './errors.ts';
-import { RULES, settled, type Ruled } from './rules.ts';
+import { RULES, settled, type Conflict, type Ruled } from './rules.ts';
 import { METHOD, OWN_METHOD } from './methods.ts';
 import {
   ENCODING,
@@ -22,12 +22,14 @@ import {
   EXPORT_DEFAULTS,
   IMPORT_DEFAULTS,
   MOTION_DEFAULTS,
+  NO_PLACE,
   SEQUENCE_DEFAULTS,
   type EncodingOptions,
   type ExportOptions,
   type ImportOptions,
   type MotionOptions,
   type SequenceOptions,
+  type Warning,
 } from './types.ts';
 
 /** The problem with a value, such as 'must be a number', or null. */
@@ -289,21 +291,37 @@ export function checkUpdate(
 }
 
 /**
- * The motion options after the rules (rules.ts). `given`: the options of this call; others are inherited. Error: a
- * given option that the method, or the option keepLengths, does not support.
+ * The motion options after the rules (rules.ts), and a warning for each option that was left out. `given`: the options
+ * of this call; others are inherited. Error: a given option that the method, or the option keepLengths, does not
+ * support.
  */
-export function checkRules(options: MotionOptions, given: object | undefined): MotionOptions {
-  const { options: usable, refused } = settled(
-    options,
-    (option) => (given as Partial<Ruled> | undefined)?.[option] !== undefined,
+export function checkRules(
+  options: MotionOptions,
+  given: object | undefined,
+): { motion: MotionOptions; warnings: Warning[] } {
+  const {
+    options: motion,
+    left,
+    refused,
+  } = settled(options, (option) => (given as Partial<Ruled> | undefined)?.[option] !== undefined);
+  if (refused) {
+    const advice = refused.other === 'method' ? `Use the method '${OWN_METHOD}'.` : 'Set keepLengths to 0.';
+    throw invalidOption(`${unsupported(refused, options)}. ${advice}`);
+  }
+  const warnings = left.map(
+    (conflict): Warning => ({
+      ...NO_PLACE,
+      code: 'option-left-out',
+      message: `${unsupported(conflict, options)}. The motion is made without ${RULES[conflict.dropped].words}.`,
+      count: 0,
+    }),
   );
-  if (!refused) return usable;
-  const { words } = RULES[refused.option];
-  throw invalidOption(
-    refused.other === 'method'
-      ? `The method '${options.method}' does not support ${words}. Use the method '${OWN_METHOD}'.`
-      : `The option keepLengths does not support ${words}. Set keepLengths to 0.`,
-  );
+  return { motion, warnings };
+}
+
+function unsupported({ option, other }: Conflict, { method }: MotionOptions): string {
+  const what = other === 'method' ? `The method '${method}'` : 'The option keepLengths';
+  return `${what} does not support ${RULES[option].words}`;
 }
 
 /** The refusal of another motion of the same sequence. */

@@ -111,7 +111,7 @@ export class EngineClient implements Engine {
 
   async createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence> {
     const checked = checkSequenceOptions(options);
-    const motion = checkRules(motionOf(checked), options);
+    const { motion } = checkRules(motionOf(checked), options);
     const report = call?.onProgress ?? (() => undefined);
     const part = (from: number, to: number): CallOptions => ({ ...call, onProgress: partOf(report, from, to) });
     const encoding = encodingOf(checked);

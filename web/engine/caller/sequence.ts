@@ -18,10 +18,11 @@ export class SequenceClient extends MotionClient implements Sequence {
     const given = copied(change); // it may run later
     const work = this.shape.scheduler.run(urgency.shown, async () => {
       const { motion: merged, keyTimes } = checkUpdate(this.spec.options, given);
-      const motion = checkRules(merged, given);
+      const { motion, warnings } = checkRules(merged, given);
       if (isFitted(motion)) throw notUpdated(motion);
       const next = this.shape.spec(motion, keyTimes ?? this.spec.keyTimes);
-      this.state = await this.shape.make(next);
+      const made = await this.shape.make(next);
+      this.state = { ...made, warnings: [...warnings, ...made.warnings] };
       this.shape.drop(this.spec);
       this.spec = next;
     });

@@ -54,7 +54,7 @@ export class ShapeClient implements Shape {
   async motion(change: MotionChange = {}, call?: CallOptions): Promise<Motion> {
     checkCall(call);
     const { motion, keyTimes } = checkUpdate(MOTION_DEFAULTS, change);
-    const spec = this.spec(checkRules(motion, change), keyTimes ?? this.parts.keys.info.times);
+    const spec = this.spec(checkRules(motion, change).motion, keyTimes ?? this.parts.keys.info.times);
     return this.parts.motion(this, spec, call);
   }
 
