@@ -162,7 +162,7 @@ describe('methods that fit shapes', () => {
     const files = poseFiles(
       mesh,
       wild.map((isWild, i) => {
-        const pose = bent(mesh, [0, 30, 10, 50][i]!);
+        const pose = bent(mesh, [0, 30, 10, 50][i % 4]!);
         return isWild ? pose.map((_, v) => Math.sin((i > 1 ? 5.55 : 7.77) * v * v)) : pose;
       }),
     );
@@ -206,6 +206,12 @@ describe('methods that fit shapes', () => {
     const [other, some] = await posesOf(false, false, false, true);
     for (const row of rowsOf(await runCli(other, 'study', 'ghost', ...some, ...ghost)))
       expect(row).toMatch(/(,[\de.-]+){3},no fitted shapes between keys 3 and 4$/);
+  });
+
+  it('are counted in study tables: at least two intervals between two keys', async () => {
+    const [folder, names] = await posesOf(...Array.from({ length: 12 }, () => false));
+    const { stdout } = await runCli(folder, 'study', 'tables', ...names);
+    expect(stdout).toMatch(/^2,here,shape,\d+,20,.*\[2\] on \d+ faces at 23 times$/m);
   });
 
   it('have no times in study tables if no interval was fitted', async () => {

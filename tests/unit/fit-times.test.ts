@@ -1,7 +1,8 @@
 /** The times of a fitted motion's own shapes. */
 import { expect, it } from 'vitest';
 import { MOTION_DEFAULTS } from '../../web/engine/api/types.ts';
-import { fitCount, fitTimes } from '../../web/engine/caller/fit-times.ts';
+import { fitTimes } from '../../web/engine/caller/fit-times.ts';
+import { fitCount } from '../../web/engine/api/methods.ts';
 
 const sampledOptions = (spaceSamples: number) => ({ ...MOTION_DEFAULTS, method: 'lengths' as const, spaceSamples });
 

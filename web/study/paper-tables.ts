@@ -1,5 +1,6 @@
 /** The paper's tables of costs, measured for a shape and as published. Seconds. */
-import type { Engine, Keys } from '../engine/api/api.ts';
+import type { Engine, Keys, Motion } from '../engine/api/api.ts';
+import { fitCount } from '../engine/api/methods.ts';
 import { EngineError, isCancelled } from '../engine/api/errors.ts';
 import { MOTION } from '../engine/api/option-table.ts';
 import { fittedCount, unfittedNote } from './fitted-intervals.ts';
@@ -144,14 +145,15 @@ async function shellCosts(
     if (fittedCount(sequence) === 0) return { shell: NONE, note: `[2]: ${unfitted}` };
     const fit = (fitting.to - fitting.from) / 1000;
     const all = (performance.now() - start) / 1000;
-    return { shell: { ghost: fit, transfer: all - fit, full: NaN }, note: noteOf(coarse, samples, shapes, unfitted) };
+    return { shell: { ghost: fit, transfer: all - fit, full: NaN }, note: noteOf(coarse, sequence, shapes, unfitted) };
   } catch (error) {
     if (!(error instanceof EngineError) || isCancelled(error)) throw error;
     return { shell: NONE, note: error.message };
   }
 }
 
-function noteOf(coarse: number, samples: number, shapes: number, unfitted: string): string {
-  const fewer = samples < shapes ? ` instead of ${shapes}` : '';
-  return `[2] on ${coarse} faces at ${samples + 1} times${fewer}${unfitted && `, ${unfitted}`}`;
+function noteOf(coarse: number, { keyTimes, options }: Motion, shapes: number, unfitted: string): string {
+  const times = keyTimes.length + fitCount(keyTimes.length, options);
+  const fewer = times <= shapes ? ` instead of ${shapes}` : '';
+  return `[2] on ${coarse} faces at ${times} times${fewer}${unfitted && `, ${unfitted}`}`;
 }

@@ -42,6 +42,17 @@ export function isFitted({ method, keepLengths }: Pick<MotionOptions, 'method' |
   return METHOD[method].curve === 'fitted' || (method === OWN_METHOD && keepLengths > 0);
 }
 
+/** The number of fitted shapes between the keys of a motion. */
+export function fitCount(
+  keys: number,
+  { method, keepLengths, spaceSamples }: Pick<MotionOptions, 'method' | 'keepLengths' | 'spaceSamples'>,
+): number {
+  const intervals = keys - 1;
+  return METHOD[method].curve === 'fitted'
+    ? Math.max(spaceSamples, 2 * intervals) - intervals
+    : keepLengths * intervals;
+}
+
 export const METHODS: readonly Method[] = MOTION.method.choices;
 
 /** The method of the paper. */

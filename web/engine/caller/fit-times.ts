@@ -37,14 +37,3 @@ function shareOut(lengths: readonly number[], total: number): number[] {
   }
   return counts;
 }
-
-/** The number of times between the keys, without listing them. */
-export function fitCount(
-  keys: number,
-  { method, keepLengths, spaceSamples }: Pick<MotionOptions, 'method' | 'keepLengths' | 'spaceSamples'>,
-): number {
-  const intervals = keys - 1;
-  return METHOD[method].curve === 'fitted'
-    ? Math.max(spaceSamples, 2 * intervals) - intervals
-    : keepLengths * intervals;
-}

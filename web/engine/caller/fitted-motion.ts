@@ -5,11 +5,11 @@
  */
 import type { CallOptions, Motion } from '../api/api.ts';
 import { EngineError, invalidOption, untilAborted } from '../api/errors.ts';
-import { METHOD, OWN_METHOD } from '../api/methods.ts';
+import { METHOD, OWN_METHOD, fitCount } from '../api/methods.ts';
 import { partOf } from '../api/progress.ts';
 import { NO_PLACE, type EncodingOptions, type Ghost, type MotionOptions, type Warning } from '../api/types.ts';
 import type { KeyData, MotionSpec, RequestOf, ResultOf } from '../wire/protocol.ts';
-import { fitCount, fitTimes, type FitTime } from './fit-times.ts';
+import { fitTimes, type FitTime } from './fit-times.ts';
 import { MotionClient, type MotionParts } from './motion.ts';
 import { meanBending } from './shell-bending.ts';
 import type { ShapeClient } from './shape.ts';
