@@ -123,6 +123,7 @@ test('bending is measured by edge lengths and angles on request, again after an 
   await expect(app.by('bending-working'), 'shown during the analysis').toContainText('Measuring the motion');
   await expect(unit).not.toContainText('edge lengths');
   await app.by('bending-shell').press(' ');
+  await app.nextFrame();
   await app.by('bending-cancel').press('Enter');
   await expect(app.by('bending-shell')).not.toBeChecked();
   await expect(app.by('bending-working')).toBeHidden();
