@@ -413,6 +413,16 @@ describe('a project that commit 4f00d434 wrote', () => {
     });
   });
 
+  it('opens with options that exclude each other, and says which is left out', async () => {
+    const text = (await readFile(project)).toString('latin1').replace('"keepLengths":0', '"keepLengths":1');
+    await writeFile(path.join(folder, 'excluding.glb'), text, 'latin1');
+    const { code, stderr } = await runCli(folder, 'complete', 'excluding.glb', '--output', 'kept.glb');
+    expect([code, stderr]).toEqual([
+      0,
+      expect.stringContaining("The option keepLengths does not support ends other than 'natural'. The motion is made"),
+    ]);
+  });
+
   it('has the motion that the keys have with its options', async () => {
     const objs = [0.5, 0.2, -0.1].map((x, i) => ({
       name: `saved-${i}.obj`,

@@ -5,7 +5,6 @@ import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
 import { withSpellings, withoutLeftovers } from '../api/paths.ts';
-import { settled } from '../api/rules.ts';
 import { isFitted } from '../api/methods.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
@@ -84,7 +83,12 @@ export class EngineClient implements Engine {
     );
     const { project, times, warnings } = imported.info;
     imported.info.warnings = (await import('../api/sentences.ts')).withSentences(warnings, times.length);
-    if (project) imported.info.project = settled({ ...SEQUENCE_DEFAULTS, ...project }, () => false).options;
+    if (project) {
+      const all = { ...SEQUENCE_DEFAULTS, ...project };
+      const inherited = checkRules(motionOf(all), undefined);
+      imported.info.project = { ...all, ...inherited.motion };
+      imported.info.warnings.push(...inherited.warnings);
+    }
     return new KeyArrays(imported);
   }
 
