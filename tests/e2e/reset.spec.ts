@@ -78,7 +78,7 @@ async function seenAtRest(app: App) {
     const then = before;
     before = now;
     expect(now).toEqual(then);
-  }).toPass({ intervals: [300] });
+  }).toPass({ intervals: [300], timeout: 20_000 });
   return before;
 }
 
