@@ -90,6 +90,8 @@ export function createFacesFigure(input: () => AnalysisInput | null, events: Fac
     choice.update(part);
     neighbours.setNeighbour(next.neighbour);
     for (const one of ['face', 'patch'] as const) parts[one].setHidden(one !== part);
+    // Otherwise, its charts would appear again once their curves have arrived.
+    if (before.part !== part) parts[before.part].show(null);
     if (before.part !== part || before[part] !== next[part]) parts[part].show(next[part]);
   };
   choose(charts);
