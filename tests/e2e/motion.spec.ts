@@ -216,3 +216,24 @@ test('tension and bias of a key change the motion near it, but not the key', asy
     expect(await app.positionsAt(0.45)).toEqual(near);
   }
 });
+
+// No cheaper test shows that the buttons of the key editor set the timing of the interval after the key.
+test('buttons set the timing between two keys, as one undo step', async ({ app }) => {
+  await app.open();
+  const times = [0.25, 0.5, 0.75];
+  const plain = await Promise.all(times.map((t) => app.positionsAt(t)));
+  await app.by('key-0-edit').click();
+  await app.by('key-timing-straight').click();
+  await expect(app.by('key-swing')).toHaveValue('-1');
+  await app.by('key-editor-close').click();
+  await app.settled();
+  const timed = await Promise.all(times.map((t) => app.positionsAt(t)));
+  expect(apart(plain[0]!, timed[0]!)).toBeGreaterThan(1e-4);
+  expect(apart(plain[1]!, timed[1]!)).toBeLessThan(1e-5);
+  await app.page.keyboard.press('Control+z');
+  await app.settled();
+  expect(await app.positionsAt(0.25)).toEqual(plain[0]);
+  await app.by('key-2-edit').click();
+  await expect(app.by('key-timing')).toBeHidden();
+  await app.expectNoProblems();
+});

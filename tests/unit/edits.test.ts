@@ -19,13 +19,17 @@ import { referenceKey } from '../../web/model/state.ts';
 import type { Doc } from '../../web/model/state.ts';
 import { docOfKeys, keyRef } from './documents.ts';
 
-const ofB = { tension: 0.5, turns: [{ turns: 1 }, { component: 4, turns: 2 }] };
-const doc = docOfKeys(keyRef(0, 'a', 0), keyRef(1, 'b', 0.4, ofB), keyRef(2, 'c', 1, { bias: -1 }));
+const ofB = { tension: 0.5, earlier: 0.1, swing: 0.5, turns: [{ turns: 1 }, { component: 4, turns: 2 }] };
+const doc = docOfKeys(
+  keyRef(0, 'a', 0, { earlier: 0.3, swing: 1 }),
+  keyRef(1, 'b', 0.4, ofB),
+  keyRef(2, 'c', 1, { bias: -1, earlier: 0.2 }),
+);
 /** Every key with its options. */
 const shapings = {
-  0: DEFAULT_SHAPING,
+  0: { ...DEFAULT_SHAPING, earlier: 0.3, swing: 1 },
   1: { ...DEFAULT_SHAPING, ...ofB },
-  2: { ...DEFAULT_SHAPING, bias: -1 },
+  2: { ...DEFAULT_SHAPING, bias: -1, earlier: 0.2 },
   3: DEFAULT_SHAPING,
 };
 const expectShapings = (d: Doc): void =>
@@ -67,6 +71,12 @@ describe('edits of keys', () => {
       [],
       [{ turns: -1 }, { component: 4, turns: -2 }],
     ]);
+    // So does the timing of each interval. The last one closes a loop.
+    expect(next.keys.map(({ shaping: { earlier, swing } }) => [earlier, swing])).toEqual([
+      [-0.1, 0.5],
+      [-0.3, 1],
+      [-0.2, 0],
+    ]);
     expect(next.motion).toMatchObject({ startSpeed: 2, endSpeed: 0 });
     expect(next.motion.pins[0]!.path).toEqual([
       { time: 0.5, move: [0.5, 0, 0] },
@@ -83,10 +93,17 @@ describe('edits of keys', () => {
     expect(addKey(doc, { pose: 3, name: 'd', time: 0.4 })).toBe(doc);
   });
 
-  it('add a key at the place of its time', () => {
+  it('add a key at the place of its time, with default timing before and after it', () => {
     const next = addKey(doc, { pose: 3, name: 'd', time: 0.6 });
     expect(poses(next)).toEqual([0, 1, 3, 2]);
-    expectShapings(next);
+    expect(next.keys.map(({ shaping }) => shaping)).toEqual([
+      shapings[0],
+      { ...shapings[1], earlier: 0, swing: 0 },
+      DEFAULT_SHAPING,
+      shapings[2],
+    ]);
+    const first = addKey(doc, { pose: 3, name: 'd', time: -1 });
+    expect(first.keys.map(({ shaping }) => shaping.earlier)).toEqual([0, 0.3, 0.1, 0]);
   });
 
   it('add full turns to the shape and its parts, and remove them', () => {

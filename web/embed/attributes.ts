@@ -196,7 +196,7 @@ const MOVED = pick(MOTION, [
   'keepLengths',
   'inPlace',
 ]);
-const SHAPED = pick(PER_KEY, ['tension', 'bias']);
+const SHAPED = pick(PER_KEY, ['tension', 'bias', 'earlier', 'swing']);
 const ENCODED = pick(ENCODING, ['stretch', 'patches', 'ghostFaces', 'transfer', 'placement', 'precision']);
 const ENGINE = { ...IMPORTED, ...TIMED, ...MOVED, ...SHAPED, ...ENCODED };
 

@@ -2,11 +2,12 @@
 import { MAX_TIME } from '../engine/api/option-table.ts';
 import { spacedTimes } from './key-spacing.ts';
 import type { KeyTurns, Shaping, ShapingNumber } from './shaping.ts';
-import { DEFAULT_SHAPING, turnsOf, withTurns } from './shaping.ts';
+import { DEFAULT_SHAPING, turnsOf, withPlainInterval, withTurns } from './shaping.ts';
 import type { Doc, Encoding, KeyRef, Motion } from './state.ts';
 import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from './speeds.ts';
 import { referenceKey } from './state.ts';
 import { SAME_TIME, clamp } from './time-scale.ts';
+import type { Timing } from './timing-presets.ts';
 
 /** Moves a key in the order. Times stay in place; shapes move. */
 export function moveKey(doc: Doc, from: number, to: number): Doc {
@@ -41,10 +42,12 @@ export function renameKey(doc: Doc, index: number, name: string): Doc {
   return withKey(doc, index, { name });
 }
 
-/** Adds a key in time order, with default smooth options. */
+/** Adds a key in time order, with default smooth options. The intervals before and after it get default ones, too. */
 export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
   if (doc.keys.some((other) => other.time === key.time)) return doc;
-  return sorted({ ...doc, keys: [...doc.keys, { ...key, shaping: DEFAULT_SHAPING }] });
+  const before = doc.keys.findLastIndex(({ time }) => time < key.time);
+  const plain = reshaped(doc, before < 0 ? doc.keys.length - 1 : before, withPlainInterval);
+  return sorted({ ...plain, keys: [...plain.keys, { ...key, shaping: DEFAULT_SHAPING }] });
 }
 
 /** Position for new keys: before the key of this number, or at this time. */
@@ -82,6 +85,11 @@ export function setShaping(doc: Doc, name: ShapingNumber, index: number, value: 
   return reshaped(doc, index, (shaping) => (shaping[name] === value ? shaping : { ...shaping, [name]: value }));
 }
 
+/** Timing of the interval after a key. */
+export function setTiming(doc: Doc, index: number, timing: Timing): Doc {
+  return setShaping(setShaping(doc, 'earlier', index, timing.earlier), 'swing', index, timing.swing);
+}
+
 /** One tension for all keys, or one per key. */
 export function setTightness(doc: Doc, tension: number | readonly number[]): Doc {
   const at = (index: number): number => (typeof tension === 'number' ? tension : (tension[index] ?? 0));
@@ -106,9 +114,16 @@ export function reverseMotion(doc: Doc): Doc {
   const mirrored = <T extends { time: number }>(ones: readonly T[]): T[] =>
     ones.map((one) => ({ ...one, time: both - one.time })).reverse();
   const shapings = keys.map(({ shaping }, index): Shaping => {
-    // Each key takes the turns of the following interval, reversed.
+    // Each key takes the turns of the following interval, and the timing of the previous one, reversed.
     const way = keys[index + 1]?.shaping.turns ?? [];
-    return { ...shaping, bias: -shaping.bias + 0, turns: way.map((one) => ({ ...one, turns: -one.turns })) };
+    const { earlier, swing } = keys.at(index - 1)!.shaping;
+    return {
+      ...shaping,
+      bias: -shaping.bias + 0,
+      earlier: -earlier + 0,
+      swing,
+      turns: way.map((one) => ({ ...one, turns: -one.turns })),
+    };
   });
   return {
     keys: mirrored(keys.map((key, index) => ({ ...key, shaping: shapings[index]! }))),

@@ -104,6 +104,18 @@ export const OPTION_WORDS: Readonly<Record<WordedOption, OptionWords>> = {
     hint: 'Above 0: the slope follows the interval before this key more; below 0: the interval after it',
     slider: [-1, 1],
   },
+  earlier: {
+    label: 'Earlier or later',
+    hint: 'After this key. Above 0: the motion is ahead on the way to the next key; below 0: behind. Keys stay exact',
+    slider: [-0.35, 0.35],
+    excludes: 'Not with timing.',
+  },
+  swing: {
+    label: 'Swing',
+    hint: 'After this key. -1: straight to the next key; 0: as smooth as possible; 1: swings out twice as far',
+    slider: [-1, 1.5],
+    excludes: 'Not with timing.',
+  },
   turns: {
     label: 'Extra turns since the previous key',
     undo: 'turns',

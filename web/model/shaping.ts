@@ -15,12 +15,23 @@ export const SHAPING_NUMBERS = (Object.keys(PER_KEY) as (keyof PerKey)[]).filter
   (name): name is ShapingNumber => PER_KEY[name].kind === 'number',
 );
 
+/** Those of the interval after the key. */
+export type IntervalNumber = {
+  [N in ShapingNumber]: (typeof PER_KEY)[N] extends { ofInterval: true } ? N : never;
+}[ShapingNumber];
+export const INTERVAL_NUMBERS = SHAPING_NUMBERS.filter((name): name is IntervalNumber => 'ofInterval' in PER_KEY[name]);
+
 function shapingWith(number: (name: ShapingNumber) => number, turns: readonly KeyTurns[]): Shaping {
   const numbers = Object.fromEntries(SHAPING_NUMBERS.map((name) => [name, number(name)]));
   return { ...(numbers as Record<ShapingNumber, number>), turns };
 }
 
 export const DEFAULT_SHAPING: Shaping = shapingWith((name) => PER_KEY[name].default, []);
+
+/** The same key with the default motion to the next key. */
+export function withPlainInterval(shaping: Shaping): Shaping {
+  return { ...shaping, ...Object.fromEntries(INTERVAL_NUMBERS.map((name) => [name, PER_KEY[name].default])) };
+}
 
 /** Options of one key from the engine's lists. */
 export function shapingOf(lists: Partial<PerKey>, index: number): Shaping {

@@ -1,13 +1,15 @@
 /** Name, time and slope of a key. */
 import { hasEffect } from '../engine/api/rules.ts';
 import { reasonFor } from '../model/option-reasons.ts';
-import type { KeyTurns, Shaping, ShapingNumber } from '../model/shaping.ts';
-import { SHAPING_NUMBERS } from '../model/shaping.ts';
+import type { IntervalNumber, KeyTurns, Shaping, ShapingNumber } from '../model/shaping.ts';
+import { INTERVAL_NUMBERS, SHAPING_NUMBERS } from '../model/shaping.ts';
 import type { KeyRef, Motion } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { formatTime } from '../model/time-scale.ts';
-import { fieldRow, numberField } from './controls.ts';
-import { h, say, setField } from './dom.ts';
+import type { Timing } from '../model/timing-presets.ts';
+import { TIMINGS } from '../model/timing-presets.ts';
+import { button, buttonGroup, fieldRow, numberField } from './controls.ts';
+import { h, say, setField, setHidden } from './dom.ts';
 import { createKeyTurns } from './key-turns.ts';
 import { optionControl } from './option-field.ts';
 
@@ -25,6 +27,8 @@ export interface KeyFieldsEvents {
   onRetime(key: number, time: number): void;
   onRename(key: number, name: string): void;
   onShaping(key: number, name: ShapingNumber, value: number): void;
+  /** Of the interval after the key. */
+  onTiming(key: number, timing: Timing): void;
   onTurns(key: number, added: KeyTurns): void;
   /** The component that receives turns; null for the whole shape or when the editor closes. */
   onComponent(component: number | null): void;
@@ -50,9 +54,13 @@ export function createKeyFields(events: KeyFieldsEvents): KeyFields {
   });
   const time = numberField({ label: 'Time', testId: 'key-time', onInput: (t) => events.onRetime(index, t) });
   const shaped = createShaping((option, value) => events.onShaping(index, option, value));
+  const timing = createTiming(
+    (...change) => events.onShaping(index, ...change),
+    (one) => events.onTiming(index, one),
+  );
   const turns = createKeyTurns((added) => events.onTurns(index, added), events.onComponent);
   return {
-    elements: [fieldRow('Name', name), fieldRow('Time', time), ...shaped.elements, ...turns.elements],
+    elements: [fieldRow('Name', name), fieldRow('Time', time), ...shaped.elements, timing.element, ...turns.elements],
     update(props, at) {
       const { keys, range, components, motion } = props;
       index = at;
@@ -60,6 +68,7 @@ export function createKeyFields(events: KeyFieldsEvents): KeyFields {
       setField(name, text);
       setField(time, formatTime(t, range));
       shaped.update(props, shaping);
+      timing.update(props, shaping, at);
       turns.update({ shaping, canTurn: hasEffect('turns', motion) && at > 0, components });
     },
     focus() {
@@ -70,18 +79,60 @@ export function createKeyFields(events: KeyFieldsEvents): KeyFields {
   };
 }
 
-function createShaping(onShaping: (name: ShapingNumber, value: number) => void) {
-  const sliders = SHAPING_NUMBERS.map((option) => ({
-    option,
-    ...optionControl(option, (value) => onShaping(option, value), { prefix: 'key-' }),
+/** Options that belong to the key itself. */
+const OWN_NUMBERS = SHAPING_NUMBERS.filter((name) => !(INTERVAL_NUMBERS as readonly string[]).includes(name));
+
+/** Controls of some options, and the reason why they are disabled. */
+function createNumbers<N extends ShapingNumber>(names: readonly N[], onInput: (name: N, value: number) => void) {
+  const controls = names.map((name) => ({
+    name,
+    ...optionControl(name, (value) => onInput(name, value), { prefix: 'key-' }),
   }));
+  return {
+    elements: controls.map(({ element }) => element),
+    /** Returns the reason, or ''. */
+    update(motion: Motion, shaping: Shaping): string {
+      const unused = names.map((name) => reasonFor(name, { motion }));
+      const values: Readonly<Record<ShapingNumber, number>> = shaping;
+      controls.forEach(({ name, update }, index) => update(values[name], { disabled: unused[index] !== '' }));
+      return unused.join(' ').trim();
+    },
+  };
+}
+
+function createShaping(onShaping: (name: ShapingNumber, value: number) => void) {
+  const numbers = createNumbers(OWN_NUMBERS, onShaping);
   const reason = h('p', { class: 'reason', 'data-testid': 'key-bend', hidden: true });
   return {
-    elements: [...sliders.map(({ element }) => element), reason],
+    elements: [...numbers.elements, reason],
     update({ motion }: KeyFieldsProps, shaping: Shaping): void {
-      const unused = SHAPING_NUMBERS.map((option) => reasonFor(option, { motion }));
-      sliders.forEach(({ option, update }, index) => update(shaping[option], { disabled: unused[index] !== '' }));
-      say(reason, unused.join(' ').trim() || (shaping.tension === 0 && shaping.bias === 0 ? '' : BENT));
+      const unused = numbers.update(motion, shaping);
+      say(reason, unused || (shaping.tension === 0 && shaping.bias === 0 ? '' : BENT));
+    },
+  };
+}
+
+/** Timing of the interval after the key. */
+function createTiming(onNumber: (name: IntervalNumber, value: number) => void, onTiming: (timing: Timing) => void) {
+  const numbers = createNumbers(INTERVAL_NUMBERS, onNumber);
+  const presets = TIMINGS.map(({ id, label, hint, timing }) =>
+    button({ label: hint, text: label, testId: `key-timing-${id}`, kind: 'quiet', onClick: () => onTiming(timing) }),
+  );
+  const reason = h('p', { class: 'reason', 'data-testid': 'key-timing-reason', hidden: true });
+  const element = h(
+    'div',
+    { class: 'key-timing', 'data-testid': 'key-timing' },
+    buttonGroup('On the way to the next key', ...presets),
+    ...numbers.elements,
+    reason,
+  );
+  return {
+    element,
+    update({ keys, motion }: KeyFieldsProps, shaping: Shaping, index: number): void {
+      setHidden(element, index === keys.length - 1 && motion.boundary !== 'periodic');
+      const unused = numbers.update(motion, shaping);
+      for (const one of presets) one.disabled = unused !== '';
+      say(reason, unused);
     },
   };
 }

@@ -74,6 +74,8 @@ MotionOptions motionFrom(const Json& json) {
   if (!json.at("period").is_null()) motion.period = json.at("period").get<double>();
   motion.tension = json.at("tension").get<std::vector<double>>();
   motion.bias = json.at("bias").get<std::vector<double>>();
+  motion.earlier = json.at("earlier").get<std::vector<double>>();
+  motion.swing = json.at("swing").get<std::vector<double>>();
   motion.turns = json.at("turns").get<std::vector<AddedTurns>>();
   for (const Json& pin : json.at("pins")) motion.pins.push_back(pinFrom(pin));
   motion.inPlace = json.at("inPlace");

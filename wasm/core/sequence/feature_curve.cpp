@@ -116,8 +116,9 @@ Result<CoordinateCurve> FeatureCurve::patch(int patch, const std::vector<double>
 }
 
 Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
+  const Curve plain = motion_.curve().withoutTiming();
   const Result<DiscreteSpline> spline =
-      DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, motion_.curve(), samples);
+      DiscreteSpline::fit(motion_.keyTimes(), motion_.options().boundary, plain, samples);
   if (!spline) return spline.error();
   const PrincipalPlane plane(gram_, shape_.keys);
   const Eigen::MatrixXd toPoses = columnsToPoses(), columnGram = product(product(toPoses, gram_), toPoses.transpose());
@@ -125,7 +126,7 @@ Result<DiscretePath> FeatureCurve::discretePath(int samples) const {
   DiscretePath path;
   path.times = spline->times();
   for (int i = 0; i < samples; ++i) {
-    curve.row(i) = motion_.curve().weights(path.times[i]).transpose();
+    curve.row(i) = plain.weights(path.times[i]).transpose();
     const Eigen::VectorXd weights = toPoses.transpose() * spline->weights().row(i).transpose();
     path.weights.insert(path.weights.end(), weights.begin(), weights.end());
     const Vec2 p = plane.project(weights);

@@ -86,8 +86,8 @@ class FeatureCurve {
   /// its rotations and its mean position. positions: one per input vertex.
   ShapePlane planeWith(double t, const Positions& positions) const;
 
-  /// The minimisation over K samples that the splines solve in closed form. With tensions, biases or a linear method,
-  /// the curve is not its limit. Error: InvalidOption (too few or too many samples).
+  /// The minimisation over K samples that the splines solve in closed form, without timing. With tensions, biases or a
+  /// linear method, the curve is not its limit. Error: InvalidOption (too few or too many samples).
   Result<DiscretePath> discretePath(int samples) const;
 
   /// Bending energy density |x''(t)|^2 of the feature curve at each time (Eq. 6, Fig. 9), by second differences over a

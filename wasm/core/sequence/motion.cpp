@@ -51,7 +51,9 @@ CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {
           .closing = shape.closing ? Closing::LastKey : Closing::Extra,
           .period = o.period,
           .tension = o.tension,
-          .bias = o.bias};
+          .bias = o.bias,
+          .earlier = o.earlier,
+          .swing = o.swing};
 }
 
 }  // namespace
@@ -76,14 +78,14 @@ Status Motion::hold(const EncodedShape& encoded, const Motion* before) {
   const int vertices = static_cast<int>(weldedOf.size()), keys = encoded.shape().keys;
   if (Status status = checkPins(options_.pins, vertices, keys); !status) return status;
   if (options_.method != Method::Lri) return {};
+  const Curve plain = curve_.withoutTiming();  // resting and pinned parts keep the plain time
   if (options_.hold && keys > 2) {
-    auto held =
-        HeldMotion::create(encoded.lri().holdInput(), curve_, options_.turns, before ? before->held() : nullptr);
+    auto held = HeldMotion::create(encoded.lri().holdInput(), plain, options_.turns, before ? before->held() : nullptr);
     if (!held) return held.error();
     held_ = std::move(*held);
   }
   if (!options_.pins.empty()) {
-    auto pinned = PinnedMotion::create(encoded.lri().holdInput(), curve_, options_.pins, weldedOf,
+    auto pinned = PinnedMotion::create(encoded.lri().holdInput(), plain, options_.pins, weldedOf,
                                        before ? before->pinned() : nullptr);
     if (!pinned) return pinned.error();
     pinned_ = std::move(*pinned);
@@ -95,7 +97,9 @@ Curve Motion::unshapedCurve(const WeldedShape& shape) const {
   CurveOptions options = curveOptions(shape, options_);
   options.tension.clear();
   options.bias.clear();
-  // A curve that fits with tensions and biases also fits without.
+  options.earlier.clear();
+  options.swing.clear();
+  // A curve that fits with values per key also fits without.
   Result<Curve> curve = Curve::fit(times_, options);
   return std::move(*curve);
 }

@@ -27,7 +27,7 @@ class Motion {
   const MotionOptions& options() const { return options_; }
   const std::vector<double>& keyTimes() const { return times_; }
   const Curve& curve() const { return curve_; }
-  /// The curve without tensions and biases. shape: the shape of this motion.
+  /// The curve without values per key. shape: the shape of this motion.
   Curve unshapedCurve(const WeldedShape& shape) const;
   /// The natural cubic spline through the same keys at the same times.
   Curve naturalCurve() const;

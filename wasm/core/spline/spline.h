@@ -3,35 +3,16 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
 #include <Eigen/Core>
 
 #include "core/base/status.h"
+#include "core/spline/curve_options.h"
+#include "core/spline/interval_timing.h"
+#include "core/spline/slope_rows.h"
 
 namespace shapespline {
-
-/// Boundary condition at the ends of the curve.
-enum class BoundaryKind { Natural, Hermite, Periodic };
-
-/// Closing of a periodic curve.
-enum class Closing {
-  LastKey,  ///< the last key repeats the first, up to a rigid motion: the period is t_J - t_1
-  Extra,    ///< the curve continues from the last key to the first in an additional interval
-};
-
-struct CurveOptions {
-  bool linear = false;  ///< piecewise linear instead of cubic
-  BoundaryKind boundary = BoundaryKind::Natural;
-  double startSpeed = 1, endSpeed = 1;
-  bool startShape = false;  ///< hermite: the start tangent column replaces key 2 in the difference at key 1
-  bool endShape = false;    ///< hermite: the end tangent column replaces key J - 1 in the difference at key J
-  Closing closing = Closing::Extra;
-  std::optional<double> period = {};
-  std::vector<double> tension = {};
-  std::vector<double> bias = {};
-};
 
 /// Columns of a weight vector for J keys: keys 0 to J - 1, then the shapes for end tangents.
 struct Columns {
@@ -40,8 +21,6 @@ struct Columns {
   int endTangent() const { return keys + 1; }
   int count() const { return keys + 2; }
 };
-
-using Weights = Eigen::VectorXd;  ///< Columns::count() entries with sum 1 (0 for a derivative)
 
 /// Steps between poses. Each has an increment for every rotation spline. Step s leads from key s to key s + 1. The
 /// other steps have the numbers after those.
@@ -99,35 +78,11 @@ struct WrappedTime {
   int periods = 0;  ///< number of periods subtracted
 };
 
-/// The slope at each knot as weights of the nearest knots and of the shapes for end tangents.
-class SlopeRows {
- public:
-  using Index = Eigen::Index;
-  explicit SlopeRows(Index knots);
-
-  /// The weight of a near knot in the slope at knot i.
-  double& operator()(Index i, Index knot) { return row(i)[knot - first(i)]; }
-  double& startTangent(Index i) { return row(i)[width_]; }
-  double& endTangent(Index i) { return row(i)[width_ + 1]; }
-  /// All weights in the slope at knot i.
-  std::span<double> row(Index i) { return std::span(rows_).subspan(i * (width_ + 2), width_ + 2); }
-  /// Subtracts a multiple of the slope at a neighbouring knot j.
-  void subtract(Index i, double factor, Index j);
-  /// Adds a multiple of the slope at knot i to weights of all knots and tangents.
-  void addTo(Weights& weights, Index i, double factor) const;
-
- private:
-  Index first(Index i) const;  // the first knot with a weight in row i
-
-  Index knots_, width_;
-  std::vector<double> rows_;
-};
-
 /// A fitted curve: knots, and the slope at each as a combination of the columns. A periodic curve is a natural spline
 /// over enough periods on either side that its ends have no effect, so all periods are equal. Immutable.
 class Curve {
  public:
-  /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, wrong number of tensions or biases, a
+  /// times: J >= 2, strictly increasing. Errors: InvalidOption (period too short, wrong number of values per key, a
   /// bias outside [-1, 1], speeds or other numbers that are not finite), TimesNotIncreasing, TimeCountMismatch.
   static Result<Curve> fit(const std::vector<double>& times, const CurveOptions& options);
 
@@ -139,6 +94,9 @@ class Curve {
   CurvePoint at(double t) const;
 
   WrappedTime wrap(double t) const;
+
+  /// The curve with 0 for `earlier` and `swing`.
+  Curve withoutTiming() const;
 
   /// Spans between keys in time order: all spans of an open curve, or those in the first period of a periodic curve.
   std::vector<KeySpan> spans() const;
@@ -162,13 +120,16 @@ class Curve {
   };
 
   void placeKnots(const std::vector<double>& times, double period);
+  // The values of the keys at the knots; 0 without values.
+  Eigen::VectorXd ofKnots(const std::vector<double>& ofKeys) const;
   Weights atKnots(double t, int derivative) const;  // over the knots, followed by the tangents
   Weights addUp(const Weights& atKnots) const;
 
   Columns columns_{0};
   double start_ = 0, end_ = 0;
   std::vector<Knot> knots_;
-  SlopeRows slope_{0};
+  KnotSpline spline_;
+  std::optional<IntervalTiming> timing_;
   bool linear_ = false, periodic_ = false, closes_ = false;
 };
 

@@ -10,6 +10,7 @@ import {
   retimeKey,
   setShaping,
   setTightness,
+  setTiming,
   setTurns,
   spaceKeys,
 } from '../../model/edits.ts';
@@ -17,6 +18,7 @@ import { SPACINGS } from '../../model/key-spacing.ts';
 import type { Spacing } from '../../model/key-spacing.ts';
 import { undoWords } from '../../model/option-words.ts';
 import type { KeyTurns, ShapingNumber } from '../../model/shaping.ts';
+import type { Timing } from '../../model/timing-presets.ts';
 import type { KeyRef } from '../../model/state.ts';
 import { formatTime } from '../../model/time-scale.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
@@ -60,6 +62,10 @@ export const KEYS = {
   shaping: {
     run: ({ session: { store } }, key: number, name: ShapingNumber, value: number) =>
       store.edit(undoWords(name), (doc) => setShaping(doc, name, key, value), `${name} ${key}`),
+  },
+  timing: {
+    run: ({ session: { store } }, key: number, timing: Timing) =>
+      store.edit('timing', (doc) => setTiming(doc, key, timing)),
   },
   tightness: {
     run: ({ session: { store } }, tension: number) =>

@@ -44,6 +44,7 @@ export function createTimelineArea(
     onRetime: commands.retimeKey,
     onRename: commands.renameKey,
     onShaping: commands.shaping,
+    onTiming: commands.timing,
     onTurns: commands.turns,
     onComponent: commands.component,
     onReference: commands.reference,

@@ -105,6 +105,8 @@ export interface NumberOption extends Described {
   /** The default. null: the value can be null. Absent: the value can be absent. */
   default?: number | null;
   whole?: true;
+  /** An option per key that belongs to the interval after the key. */
+  ofInterval?: true;
   /** Bounds of every number; `above` is an exclusive lower bound. */
   above?: number;
   min?: number;
@@ -288,6 +290,32 @@ export const PER_KEY = {
     help:
       'one number per key, -1 to 1. Above 0, the slope follows the interval before the key more; below 0, the interval ' +
       'after it',
+  },
+  /** Lets the motion pass the middle of the interval after the key earlier, in intervals at the speed there. */
+  earlier: {
+    kind: 'number',
+    ofInterval: true,
+    min: -1,
+    max: 1,
+    default: 0,
+    flag: 'earlier',
+    value: 'X,X,...',
+    help:
+      'method lri: one number per key for the interval after it, -1 to 1. Above 0, the motion is ahead there; below 0, it ' +
+      'is behind. The last number counts in a loop only',
+  },
+  /** How far the motion swings out in the interval after the key, off the mean of both keys. */
+  swing: {
+    kind: 'number',
+    ofInterval: true,
+    min: -3,
+    max: 3,
+    default: 0,
+    flag: 'swing',
+    value: 'X,X,...',
+    help:
+      'method lri: one number per key for the interval after it, -3 to 3; -1 is straight in the middle, 0 as the spline, ' +
+      '1 swings out twice as far. The last number counts in a loop only',
   },
   /** Full turns added between the previous key and this one. */
   turns: {

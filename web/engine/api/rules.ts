@@ -6,7 +6,16 @@ import { METHOD, OWN_METHOD, hasEnds, isFitted } from './methods.ts';
 import { MOTION_DEFAULTS } from './types.ts';
 import type { MotionOptions, SequenceOptions } from './types.ts';
 
-export type RuledOption = 'boundary' | 'tension' | 'bias' | 'hold' | 'pins' | 'turns' | 'keepLengths';
+export type RuledOption =
+  | 'boundary'
+  | 'tension'
+  | 'bias'
+  | 'earlier'
+  | 'swing'
+  | 'hold'
+  | 'pins'
+  | 'turns'
+  | 'keepLengths';
 export type Ruled = Pick<MotionOptions, 'method' | RuledOption>;
 
 type Deciding = Pick<Ruled, 'method' | 'boundary' | 'keepLengths'>;
@@ -19,6 +28,7 @@ interface Rule {
 }
 
 const isUnfitted = ({ method }: Deciding): boolean => METHOD[method].curve !== 'fitted';
+const isOwn = ({ method }: Deciding): boolean => method === OWN_METHOD;
 const holds = ({ method }: Deciding): boolean => METHOD[method].holds;
 
 export const RULES: Readonly<Record<RuledOption, Rule>> = {
@@ -28,10 +38,12 @@ export const RULES: Readonly<Record<RuledOption, Rule>> = {
   },
   tension: { words: 'tension', fitsMethod: isUnfitted },
   bias: { words: 'bias', fitsMethod: isUnfitted },
+  earlier: { words: 'timing', fitsMethod: isOwn },
+  swing: { words: 'timing', fitsMethod: isOwn },
   hold: { words: 'keeping resting parts in place', fitsMethod: holds },
   pins: { words: 'pins', fitsMethod: holds },
   turns: { words: 'full turns', fitsMethod: ({ method }) => METHOD[method].turns },
-  keepLengths: { words: 'kept lengths', fitsMethod: ({ method }) => method === OWN_METHOD },
+  keepLengths: { words: 'kept lengths', fitsMethod: isOwn },
 };
 
 const hasSpeeds = ({ boundary }: Deciding): boolean => boundary === 'hermite';
@@ -60,7 +72,7 @@ export function hasEffect(option: keyof SequenceOptions, options: Deciding): boo
   return (EFFECTIVE_IF[option] ?? RULES[option as RuledOption]?.fitsMethod ?? (() => true))(options);
 }
 
-const EXCLUDED_BY_KEPT_LENGTHS: readonly RuledOption[] = ['boundary', 'hold', 'pins', 'turns'];
+const EXCLUDED_BY_KEPT_LENGTHS: readonly RuledOption[] = ['boundary', 'earlier', 'swing', 'hold', 'pins', 'turns'];
 
 /** Whether an option asks for something: a value other than its default, or an entry of a list other than zero. */
 function isUsed(options: Ruled, option: RuledOption): boolean {
