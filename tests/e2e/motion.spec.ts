@@ -221,13 +221,18 @@ test('tension and bias of a key change the motion near it, but not the key', asy
 test('buttons set the timing between two keys, as one undo step', async ({ app }) => {
   await app.open();
   const times = [0.25, 0.5, 0.75];
-  const plain = await Promise.all(times.map((t) => app.positionsAt(t)));
+  const shown = async (): Promise<number[][]> => {
+    const shapes: number[][] = [];
+    for (const t of times) shapes.push(await app.positionsAt(t));
+    return shapes;
+  };
+  const plain = await shown();
   await app.by('key-0-edit').click();
   await app.by('key-timing-straight').click();
   await expect(app.by('key-swing')).toHaveValue('-1');
   await app.by('key-editor-close').click();
   await app.settled();
-  const timed = await Promise.all(times.map((t) => app.positionsAt(t)));
+  const timed = await shown();
   expect(apart(plain[0]!, timed[0]!)).toBeGreaterThan(1e-4);
   expect(apart(plain[1]!, timed[1]!)).toBeLessThan(1e-5);
   await app.page.keyboard.press('Control+z');
