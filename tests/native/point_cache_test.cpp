@@ -87,6 +87,7 @@ TEST_CASE("PC2 and MDD with their OBJ are sampled at given times, also between f
   const auto even = moved("cache.mdd", mdd());
   REQUIRE(even.ok());
   CHECK(even->keyframes.keyCount() == 8);
+  for (const Key& key : even->keyframes.keys) CHECK(10 * key.time == doctest::Approx(std::round(10 * key.time)));
   checkKey(*even, 7, frameCount - 1);
 }
 

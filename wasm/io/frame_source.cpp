@@ -70,9 +70,9 @@ Status sampleFrames(const FrameSource& source, const ImportOptions& options, con
   if (Status known = checkAnimation(source, options, where); !known) return known;
   const bool few = !options.sampleAsked && source.seconds.size() <= maxOwnKeys;
   const bool own = options.sampleTimes.empty() && source.seconds.size() >= 2 && (few || options.everyFrame);
-  const auto times = own ? Result<std::vector<double>>(source.seconds)
-                         : sampleTimes(options, source.seconds.front(), source.seconds.back(),
-                                       where + ": the animation " + inQuotes(source.name), import.warnings);
+  const auto times =
+      own ? Result<std::vector<double>>(source.seconds)
+          : sampleTimes(options, source.seconds, where + ": the animation " + inQuotes(source.name), import.warnings);
   if (!times) return times.error();
   if (Status size = checkKeyCount(times->size(), import.keyframes.vertexCount(), where); !size) return size;
   FrameReader frames{source};

@@ -182,8 +182,8 @@ bool allSame(const Keyframes& keyframes) {
 }
 
 void warnOfDistantKeys(Import& import) {
-  constexpr double maxTurning = 1.4;  // measured on captured animations; 1.73 for unrelated poses
-  constexpr double maxUnevenness = 0.01;
+  constexpr double maxTurning = 1.4;      // measured on captured animations; 1.73 for unrelated poses
+  constexpr double maxUnevenness = 0.35;  // evenly spaced keys lie on frames
   const std::vector<Key>& keys = import.keyframes.keys;
   const std::size_t n = keys.size();
   if (import.animation < 0 || !import.project.empty() || n < 4) return;
@@ -191,11 +191,15 @@ void warnOfDistantKeys(Import& import) {
   double first = 0, second = 0;
   for (std::size_t k = 0; k + 1 < n; ++k) {
     if (std::abs(keys[k + 1].time - keys[k].time - mean) > maxUnevenness * mean) return;
+    // Differences as far as in an interval of mean length.
+    const auto difference = [&](std::size_t from, std::size_t v) {
+      const Vec3 step = keys[from + 1].positions[v] - keys[from].positions[v];
+      return Vec3(mean / (keys[from + 1].time - keys[from].time) * step);
+    };
     for (std::size_t v = 0; v < keys[k].positions.size(); ++v) {
-      const Vec3 step = keys[k + 1].positions[v] - keys[k].positions[v];
+      const Vec3 step = difference(k, v);
       first += step.squaredNorm() / static_cast<double>(n - 1);
-      if (k == 0) continue;
-      second += (step - keys[k].positions[v] + keys[k - 1].positions[v]).squaredNorm() / static_cast<double>(n - 2);
+      if (k > 0) second += (step - difference(k - 1, v)).squaredNorm() / static_cast<double>(n - 2);
     }
   }
   if (!(second > maxTurning * maxTurning * first)) return;

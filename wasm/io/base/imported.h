@@ -17,7 +17,7 @@ struct ImportOptions {
   std::variant<std::monostate, int, std::string>
       animation;                    ///< default: the first animation that moves, with its parts; "all": all together
   std::vector<double> sampleTimes;  ///< seconds on the animation's timeline; overrides sampleCount
-  int sampleCount = 8;              ///< evenly spaced; used for more than 32 key times or several animations
+  int sampleCount = 8;              ///< evenly spaced frames; for more than 32 key times or several animations
   bool sampleAsked = false;         ///< the user chose sampleCount: use it even for few key times
   bool everyFrame = false;          ///< use each frame as a key; overrides sampleCount
   bool posedByActions = false;      ///< for poses: apply the only animation if it does not move

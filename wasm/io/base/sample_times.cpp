@@ -1,5 +1,6 @@
 #include "io/base/sample_times.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/format.h"
@@ -24,10 +25,25 @@ Status checkTimes(const std::vector<double>& times) {
   return {};
 }
 
+// The frame nearest to t if it is closer than `reach`, otherwise t.
+double frameNear(double t, const std::vector<double>& frames, double reach) {
+  const auto after = std::lower_bound(frames.begin(), frames.end(), t);
+  double nearest = t, distance = reach;
+  const auto consider = [&](double frame) {
+    if (std::abs(frame - t) >= distance) return;
+    nearest = frame;
+    distance = std::abs(frame - t);
+  };
+  if (after != frames.begin()) consider(*(after - 1));
+  if (after != frames.end()) consider(*after);
+  return nearest;
+}
+
 }  // namespace
 
-Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
-                                        std::vector<Warning>& warnings) {
+Result<std::vector<double>> sampleTimes(const ImportOptions& options, const std::vector<double>& frames,
+                                        const std::string& what, std::vector<Warning>& warnings) {
+  const double start = frames.front(), end = frames.back();
   if (!options.sampleTimes.empty()) {
     if (Status times = checkTimes(options.sampleTimes); !times) return times.error();
     if (options.sampleTimes.front() < start || options.sampleTimes.back() > end)
@@ -42,7 +58,8 @@ Result<std::vector<double>> sampleTimes(const ImportOptions& options, double sta
   if (Status size = checkKeyCount(options.sampleCount, 0, what); !size) return size.error();
   if (!(end > start)) return Error{ErrorCode::TooFewKeys, what + " has only one key time. Choose another animation."};
   std::vector<double> times = evenTimes(options.sampleCount);
-  for (double& t : times) t = t == 1 ? end : start + t * (end - start);
+  const double spacing = (end - start) / (options.sampleCount - 1);
+  for (double& t : times) t = t == 1 ? end : frameNear(start + t * (end - start), frames, spacing / 2);
   return times;
 }
 

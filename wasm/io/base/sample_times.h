@@ -14,10 +14,12 @@ namespace shapespline {
 /// Up to this many key times, an animation of stored shapes uses them all as keys.
 constexpr std::size_t maxOwnKeys = 32;
 
-/// Returns the requested times, or evenly spaced times over the animation. Warns about times outside the animation.
-/// `what`: name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
-Result<std::vector<double>> sampleTimes(const ImportOptions& options, double start, double end, const std::string& what,
-                                        std::vector<Warning>& warnings);
+/// Returns the requested times, or evenly spaced times over the animation. An evenly spaced time moves to the nearest
+/// frame if that is closer than half the spacing, so keys are true frames of a recording, and a time in a long interval
+/// between two frames stays. frames: times of the animation's frames, increasing. Warns about requested times outside
+/// the animation. `what`: name of the animation in messages. Errors: TimesNotIncreasing, TooFewKeys.
+Result<std::vector<double>> sampleTimes(const ImportOptions& options, const std::vector<double>& frames,
+                                        const std::string& what, std::vector<Warning>& warnings);
 
 /// Name of a key sampled at this time.
 std::string sampleName(double seconds);

@@ -317,8 +317,8 @@ struct KeyReader {
     // The file requests these keys, not the user.
     if (everyFrame) keysOfFile = animation.keyTimes.size();
     if (ownTimes || everyFrame) return animation.keyTimes;
-    return sampleTimes(options, animation.keyTimes.front(), animation.keyTimes.back(),
-                       doc.where + ": the animation " + inQuotes(animation.name), out.warnings);
+    return sampleTimes(options, animation.keyTimes, doc.where + ": the animation " + inQuotes(animation.name),
+                       out.warnings);
   }
 
   Status planAnimation(int chosen) {

@@ -453,7 +453,7 @@ export const IMPORT = {
     flag: 'sample',
     value: 'T,T,...|N',
     help:
-      `take the keys at these times in seconds, or at N evenly spaced times (default: ${SAMPLED_KEYS}). PC2 and MDD files ` +
+      `take the keys at these times in seconds, or at N evenly spaced frames (default: ${SAMPLED_KEYS}). PC2 and MDD files ` +
       'and numbered .obj or .ply files work too; numbered files count as 24 frames per second',
   },
   /** Every frame of the animation becomes a key. */
