@@ -31,8 +31,8 @@ export const SIZES = {
   upright: { width: 1080, height: 1920 },
 } as const satisfies Record<string, PictureSize>;
 export type SizeName = 'window' | keyof typeof SIZES | 'own';
-/** Limits for either side. */
-export const [MIN_PIXELS, MAX_PIXELS] = [16, 8192];
+/** Bounds of either side. */
+export const PIXELS = { min: 16, max: 8192, step: 1 };
 
 /** Choices of the dialog, stored for the next export while the page is open. */
 export interface ExportRequest {

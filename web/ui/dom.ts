@@ -31,14 +31,24 @@ export function updateAll<Props>(parts: readonly Part<Props>[], props: Props): v
 export function group<P>(
   parts: readonly Part<P>[],
   isShown: (props: P) => boolean = () => true,
-  kind: 'group' | 'rows' = 'group',
+  kind: 'group' | 'rows' | 'checks' = 'group',
 ): Component<P> {
-  const element = h('div', { class: kind }, ...elementsOf(parts));
+  return shownIf(isShown, withParts(h('div', { class: kind }, ...elementsOf(parts)), parts));
+}
+
+/** An element around these parts. */
+export function withParts<P>(element: HTMLElement, parts: readonly Part<P>[]): Component<P> {
+  return { element, update: (props) => updateAll(parts, props) };
+}
+
+/** A part that is hidden unless `isShown`. */
+export function shownIf<P>(isShown: (props: P) => boolean, part: Part<P>): Component<P> {
+  const element = 'update' in part ? part.element : part;
   return {
     element,
     update(props) {
       setHidden(element, !isShown(props));
-      updateAll(parts, props);
+      updateAll([part], props);
     },
   };
 }

@@ -1,27 +1,13 @@
 /** Export options: an animation, one pose, an image, a video, or the numbers. The size is shown first. */
-import { EXPORT } from '../engine/api/option-table.ts';
-import type { KeysInfo } from '../engine/api/types.ts';
-import type { ExportRequest, Playing, VideoFormat } from '../model/export-request.ts';
-import { DEFAULT_REQUEST, isTurn, isVideoRequest } from '../model/export-request.ts';
-import { button, checkbox, dialog, fieldRow, numberRow, segments } from './controls.ts';
+import type { ExportRequest } from '../model/export-request.ts';
+import { exportNumbers, isTurn, isVideoRequest } from '../model/export-request.ts';
 import { ownRate } from '../model/frames.ts';
-import type { Source } from '../model/state.ts';
+import { button, dialog, fieldRow } from './controls.ts';
 import type { Component } from './dom.ts';
-import { elementsOf, h, memo, setField, setHidden, setText, updateAll } from './dom.ts';
-import type { Change, FieldsProps } from './export-fields.ts';
-import { createPictureFields, createTimeFields } from './export-fields.ts';
+import { elementsOf, h, memo, setField, setText, shownIf, updateAll } from './dom.ts';
+import type { Change, ExportDialogProps, ExportRowProps } from './export-fields.ts';
+import { createFormats, createSettings, isGlb } from './export-fields.ts';
 import { exportName, safeName } from './export-name.ts';
-
-export interface ExportDialogProps extends Omit<Playing, 'own'> {
-  request: ExportRequest;
-  /** The open files, which give the default name and frame rate. */
-  source: Source;
-  info: KeysInfo | null;
-  /** Description of the export with its size; null while it is computed. */
-  plan: { text: string; warnings: readonly string[] } | null;
-  /** Formats that the browser can write; null until known. */
-  videoFormats: readonly VideoFormat[] | null;
-}
 
 export interface ExportDialogEvents {
   onChange(request: ExportRequest): void;
@@ -49,97 +35,6 @@ const WORDS: Record<string, string> = {
   patches: 'A table of the faces with their patches.',
 };
 
-const isGlb = ({ request }: ExportDialogProps): boolean => request.kind === 'animation' && request.animation === 'glb';
-
-/** Choices of a request, and when they are shown. */
-const CHOICES = {
-  kind: {
-    label: 'What',
-    choices: { animation: 'Animation', pose: 'Pose', picture: 'Picture', numbers: 'Numbers' },
-    isShown: () => true,
-  },
-  animation: {
-    label: 'Format',
-    choices: { glb: 'GLB', obj: 'OBJ frames', pc2: 'PC2', mdd: 'MDD', video: 'Video' },
-    isShown: ({ request }) => request.kind === 'animation',
-  },
-  pose: {
-    label: 'Format',
-    choices: { glb: 'GLB', obj: 'OBJ', ply: 'PLY' },
-    isShown: ({ request }) => request.kind === 'pose',
-  },
-  picture: {
-    label: 'Format',
-    choices: { png: 'PNG', turntable: 'Turntable' },
-    isShown: ({ request }) => request.kind === 'picture',
-  },
-  numbers: {
-    label: 'Format',
-    choices: { measures: 'Measures (CSV)', patches: 'Patches (CSV)' },
-    isShown: ({ request }) => request.kind === 'numbers',
-  },
-  video: {
-    label: 'Video format',
-    choices: { mp4: 'MP4', webm: 'WebM', gif: 'GIF' },
-    isShown: ({ request, videoFormats }) => isVideoRequest(request) && !!videoFormats?.length,
-  },
-  targets: {
-    label: 'Morph targets',
-    choices: { few: 'As few as needed', every: 'Every frame', principal: 'In-betweens' },
-    isShown: isGlb,
-  },
-  compression: {
-    label: 'Numbers',
-    choices: { none: 'Exact', quantized: '16 bits', meshopt: 'Meshopt' },
-    isShown: isGlb,
-  },
-} as const satisfies Partial<Record<keyof ExportRequest, ChoiceRow>>;
-
-interface ChoiceRow {
-  label: string;
-  choices: Readonly<Record<string, string>>;
-  isShown(props: ExportDialogProps): boolean;
-}
-
-function createChoice(name: keyof typeof CHOICES, change: Change): Component<ExportDialogProps> {
-  const { label, choices, isShown }: ChoiceRow = CHOICES[name];
-  const words = Object.entries(choices).map(([value, text]) => ({ value, label: text }));
-  const { element, update } = segments(label, `export-${name}`, words, (value) => change({ [name]: value }));
-  return {
-    element,
-    update(props) {
-      const { request, videoFormats } = props;
-      update(request[name] ?? videoFormats?.[0] ?? '', name === 'video' ? reasonsAgainst(videoFormats ?? []) : {});
-      setHidden(element, !isShown(props));
-    },
-  };
-}
-
-function reasonsAgainst(formats: readonly VideoFormat[]): Record<string, string> {
-  const missing = Object.entries(CHOICES.video.choices).filter(
-    ([format]) => format !== 'gif' && !formats.includes(format as VideoFormat),
-  );
-  return Object.fromEntries(missing.map(([format, label]) => [format, `This browser cannot write ${label}.`]));
-}
-
-function createTolerance(change: Change): Component<ExportDialogProps> {
-  const { element, update } = numberRow({
-    label: 'Tolerance, % of the model’s size',
-    name: 'Tolerance in percent of the model’s size',
-    testId: 'export-tolerance',
-    min: EXPORT.tolerance.min,
-    max: EXPORT.tolerance.max,
-    onInput: (tolerance) => change({ tolerance: tolerance ?? 0 }),
-  });
-  return {
-    element,
-    update(props) {
-      update(props.request.tolerance);
-      setHidden(element, !isGlb(props) || props.request.targets === 'every');
-    },
-  };
-}
-
 export interface ExportDialog {
   element: HTMLDialogElement;
   open(): void;
@@ -148,23 +43,19 @@ export interface ExportDialog {
 }
 
 export function createExportDialog(events: ExportDialogEvents): ExportDialog {
-  let shown: ExportDialogProps | null = null;
-  let request: ExportRequest = DEFAULT_REQUEST;
+  let shown: ExportRowProps | null = null;
   // Shown immediately, because the next change may read the fields before the page is redrawn.
-  const change: Change = (part) => {
-    const next = { ...request, ...part };
-    if (shown) update({ ...shown, request: next, plan: null });
-    events.onChange(next);
+  const change: Change = (partOf) => {
+    const part = shown && partOf(shown);
+    if (!shown || !part) return;
+    const request = { ...shown.request, ...part };
+    update({ ...shown, request, plan: null });
+    events.onChange(request);
   };
-  const choices = (names: readonly (keyof typeof CHOICES)[]): Component<ExportDialogProps>[] =>
-    names.map((choice) => createChoice(choice, change));
-  const formats = choices(['kind', 'animation', 'pose', 'picture', 'numbers', 'video']);
-  const targets = [...choices(['targets']), createTolerance(change)];
-  const compression = choices(['compression']);
-  const time = createTimeFields(change);
-  const picture = createPictureFields(change);
-  const inPlace = checkbox('Without travel (in place)', 'export-in-place', (on) => change({ inPlace: on }));
-  const name = createName(change);
+  const closeAnd = (act: (request: ExportRequest) => void) => () => {
+    element.close();
+    if (shown) act(shown.request);
+  };
   const about = h('p', { class: 'hint' });
   const plan = createPlan();
   const go = button({
@@ -173,56 +64,39 @@ export function createExportDialog(events: ExportDialogEvents): ExportDialog {
     icon: 'download',
     text: 'Download',
     kind: 'primary',
-    onClick: () => {
-      element.close();
-      events.onExport(request);
-    },
+    onClick: closeAnd(events.onExport),
   });
   const embed = button({
     label: 'Embed this on your page',
     testId: 'export-embed',
     icon: 'link',
     text: 'Embed this on your page',
-    onClick: () => {
-      element.close();
-      events.onEmbed();
-    },
+    onClick: closeAnd(events.onEmbed),
   });
+  const rows: Component<ExportRowProps>[] = [
+    ...createFormats(change),
+    { element: about, update: ({ request }) => setText(about, WORDS[wordsFor(request)] ?? '') },
+    createName(change),
+    ...createSettings(change),
+    shownIf(isGlb, embed),
+  ];
   const element = dialog(
     { title: 'Export', label: 'Export', testId: 'export-dialog', closeId: 'export-close' },
-    ...elementsOf(formats),
-    about,
-    name.element,
-    ...elementsOf(targets),
-    ...time.elements,
-    ...picture.elements,
-    ...elementsOf(compression),
-    inPlace.element,
-    embed,
+    ...elementsOf(rows),
     h('footer', {}, plan.element, go),
   );
-
-  const draw = memo((props: ExportDialogProps) => {
-    request = props.request;
-    const video = isVideoRequest(request) ? (request.video ?? props.videoFormats?.[0] ?? null) : null;
-    const fields: FieldsProps = { ...props, own: props.info && ownRate(props.info), video };
-    updateAll([...formats, name, ...targets, ...compression, plan], props);
-    time.update(fields);
-    picture.update(fields);
-    setHidden(inPlace.element, request.kind !== 'animation' || request.animation === 'video');
-    inPlace.update(request.inPlace);
-    setHidden(embed, request.kind !== 'animation' || request.animation !== 'glb');
-    setText(about, WORDS[wordsFor(request)] ?? '');
+  const update = memo((props: ExportDialogProps) => {
+    const { request, videoFormats, info } = props;
+    const video = isVideoRequest(request) ? (request.video ?? videoFormats?.[0] ?? null) : null;
+    const numbers = exportNumbers(request, { ...props, own: info && ownRate(info) }, video);
+    shown = { ...props, video, numbers };
+    updateAll([...rows, plan], shown);
   });
-  const update = (props: ExportDialogProps): void => {
-    shown = props;
-    draw(props);
-  };
   return { element, open: () => element.showModal(), close: () => element.close(), update };
 }
 
 /** Name of the file, and of the clip in a GLB. */
-function createName(change: Change): Component<ExportDialogProps> {
+function createName(change: Change): Component<ExportRowProps> {
   let usual = '';
   const field = h('input', {
     type: 'text',
@@ -233,7 +107,7 @@ function createName(change: Change): Component<ExportDialogProps> {
       const name = safeName(field.value.trim());
       // The field keeps the focus, and then `setField` does not change it.
       field.value = name || usual;
-      change({ name: name === usual ? '' : name });
+      change(() => ({ name: name === usual ? '' : name }));
     },
   });
   return {
@@ -245,7 +119,7 @@ function createName(change: Change): Component<ExportDialogProps> {
   };
 }
 
-function createPlan(): Component<ExportDialogProps> {
+function createPlan(): Component<ExportRowProps> {
   const text = h('p', { class: 'plan', 'data-testid': 'export-size', role: 'status' });
   const warnings = h('ul', { class: 'warning-list' });
   return {

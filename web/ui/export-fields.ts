@@ -1,105 +1,234 @@
-/** Rows of the export dialog: duration, number of frames, and image size. */
+/** Rows of the export dialog: the settings of a request, each shown where it has an effect. */
+import { EXPORT } from '../engine/api/option-table.ts';
+import type { KeysInfo } from '../engine/api/types.ts';
 import type { ExportNumbers, ExportRequest, Playing, SizeName, VideoFormat } from '../model/export-request.ts';
 import {
-  MIN_PIXELS,
   MAX_FRAMES,
-  MAX_PIXELS,
+  PIXELS,
   MAX_SECONDS,
   SIZES,
   canBounce,
-  goesBack,
-  exportNumbers,
   isTurn,
   isVideoRequest,
   sizeName,
 } from '../model/export-request.ts';
-import { checkbox, fieldRow, numberField, resetButton, select, setIdle, unit } from './controls.ts';
-import type { Fields } from './dom.ts';
-import { h, setField, setHidden, setText } from './dom.ts';
+import type { Source } from '../model/state.ts';
+import { checkbox, fieldRow, numberField, resetButton, segments, select, setIdle, unit } from './controls.ts';
+import type { Component, Part } from './dom.ts';
+import { elementsOf, group, h, setField, setText, shownIf, withParts } from './dom.ts';
 
-export type Change = (part: Partial<ExportRequest>) => void;
-
-export interface FieldsProps extends Playing {
+export interface ExportDialogProps extends Omit<Playing, 'own'> {
   request: ExportRequest;
-  /** The format of a requested video. */
-  video: VideoFormat | null;
+  /** The open files, which give the default name and frame rate. */
+  source: Source;
+  info: KeysInfo | null;
+  /** Description of the export with its size; null while it is computed. */
+  plan: { text: string; warnings: readonly string[] } | null;
+  /** Formats that the browser can write; null until known. */
+  videoFormats: readonly VideoFormat[] | null;
 }
 
-const shortest = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
+export interface ExportRowProps extends ExportDialogProps {
+  /** The format of a requested video. */
+  video: VideoFormat | null;
+  numbers: ExportNumbers;
+}
 
-/** First and last time, duration, and number of frames. */
-export function createTimeFields(change: Change): Fields<FieldsProps> {
-  let numbers: ExportNumbers | null = null;
-  let turns = false;
-  const from = numberField({
-    label: 'Start, in seconds on the timeline',
-    testId: 'export-from',
-    onInput: (value) => {
-      if (numbers && value < numbers.range[1]) change({ range: [value, numbers.range[1]] });
-    },
-  });
-  const to = numberField({
-    label: 'End, in seconds on the timeline',
-    testId: 'export-to',
-    onInput: (value) => {
-      if (numbers && value > numbers.range[0]) change({ range: [numbers.range[0], value] });
-    },
-  });
-  const seconds = numberField({
-    label: 'Seconds',
-    testId: 'export-duration',
-    min: 0.01,
-    max: MAX_SECONDS,
-    onInput: (value) => change(turns ? { turn: value } : { duration: value }),
-  });
-  const reset = resetButton('Reset to the playback duration', 'export-duration-reset', () =>
-    change({ duration: null }),
-  );
-  const speed = h('span', { class: 'unit', 'data-testid': 'export-speed' });
-  const frames = numberField({
-    label: 'Frames',
-    testId: 'export-frames',
-    min: 2,
-    max: MAX_FRAMES,
-    step: 1,
-    onInput: (value) => change({ frames: value, rate: null }),
-  });
-  const rate = numberField({
-    label: 'Frames per second',
-    testId: 'export-rate',
-    min: 0.01,
-    max: 1000,
-    onInput: (value) => change({ rate: value, frames: null }),
-  });
-  const bounce = checkbox('Forwards, then backwards (twice as long)', 'export-bounce', (on) => change({ bounce: on }));
-  const rangeRow = fieldRow('Range', from, unit('to'), to, unit('s'));
-  const secondsRow = fieldRow('Seconds', speed, reset, seconds);
-  const framesRow = fieldRow('Frames', frames, unit('at'), rate, unit('fps'));
+type Row = Component<ExportRowProps>;
+type IsShown = (props: ExportRowProps) => boolean;
+
+/** Changes a part of the shown request; null: refuses the change. */
+export type Change = (partOf: (shown: ExportRowProps) => Partial<ExportRequest> | null) => void;
+
+export const isGlb: IsShown = ({ request }) => request.kind === 'animation' && request.animation === 'glb';
+const isFiles: IsShown = ({ request }) => request.kind === 'animation' && request.animation !== 'video';
+const isPicture: IsShown = ({ request }) => request.kind === 'picture' && !isTurn(request);
+const isMeasures: IsShown = ({ request }) => request.kind === 'numbers' && request.numbers === 'measures';
+const hasRange: IsShown = (props) => props.request.kind === 'animation' || isMeasures(props);
+const isTimed: IsShown = (props) => hasRange(props) || isTurn(props.request);
+const isThinned: IsShown = (props) => isGlb(props) && props.request.targets !== 'every';
+const hasSize: IsShown = (props) => isPicture(props) || isVideoRequest(props.request);
+const hasOwnSize: IsShown = (props) => hasSize(props) && sizeName(props.request, props.video) === 'own';
+
+/** Choices of a request. */
+const CHOICES = {
+  kind: { animation: 'Animation', pose: 'Pose', picture: 'Picture', numbers: 'Numbers' },
+  animation: { glb: 'GLB', obj: 'OBJ frames', pc2: 'PC2', mdd: 'MDD', video: 'Video' },
+  pose: { glb: 'GLB', obj: 'OBJ', ply: 'PLY' },
+  picture: { png: 'PNG', turntable: 'Turntable' },
+  numbers: { measures: 'Measures (CSV)', patches: 'Patches (CSV)' },
+  video: { mp4: 'MP4', webm: 'WebM', gif: 'GIF' },
+  targets: { few: 'As few as needed', every: 'Every frame', principal: 'In-betweens' },
+  compression: { none: 'Exact', quantized: '16 bits', meshopt: 'Meshopt' },
+} as const satisfies { [N in keyof ExportRequest]?: Record<NonNullable<ExportRequest[N]> & string, string> };
+
+function createChoice(name: keyof typeof CHOICES, label: string, change: Change): Row {
+  const choices = Object.entries(CHOICES[name]).map(([value, text]) => ({ value, label: text }));
+  const row = segments(label, `export-${name}`, choices, (value) => change(() => ({ [name]: value })));
   return {
-    elements: [rangeRow, secondsRow, framesRow, bounce.element],
-    update({ request, video, ...playing }) {
-      const { kind, animation, targets } = request;
-      const isVideo = isVideoRequest(request);
-      const measures = kind === 'numbers' && request.numbers === 'measures';
-      const thinned = animation === 'glb' && targets !== 'every';
-      turns = isTurn(request);
-      numbers = exportNumbers(request, playing, video);
-      setHidden(rangeRow, kind !== 'animation' && !measures);
-      setHidden(secondsRow, kind !== 'animation' && !measures && !turns);
-      setHidden(framesRow, !(kind === 'animation' && !thinned) && !turns && !measures);
-      setHidden(bounce.element, !canBounce(request));
-      setField(from, shortest(numbers.range[0], 4));
-      setField(to, shortest(numbers.range[1], 4));
-      setField(seconds, shortest(numbers.seconds, 3));
-      setText(speed, turns ? '' : speedWords(request, numbers.speed));
-      setIdle(reset, turns || request.duration === null);
-      setField(frames, String(numbers.frames));
-      // For a video, the duration determines the number of frames.
-      frames.readOnly = isVideo;
-      setField(rate, shortest(numbers.rate, 3));
-      bounce.update(goesBack(request));
+    element: row.element,
+    update({ request, videoFormats }) {
+      row.update(request[name] ?? videoFormats?.[0] ?? '', name === 'video' ? reasonsAgainst(videoFormats ?? []) : {});
     },
   };
+}
+
+function reasonsAgainst(formats: readonly VideoFormat[]): Record<string, string> {
+  const missing = Object.entries(CHOICES.video).filter(
+    ([format]) => format !== 'gif' && !formats.includes(format as VideoFormat),
+  );
+  return Object.fromEntries(missing.map(([format, label]) => [format, `This browser cannot write ${label}.`]));
+}
+
+interface NumberWords {
+  label: string;
+  bounds?: { min: number; max: number; step?: number };
+  /** Number of decimals; default: 4. */
+  digits?: number;
+  read(shown: ExportRowProps): number;
+  change(value: number, shown: ExportRowProps): Partial<ExportRequest> | null;
+}
+
+/** Numbers of a request. */
+const NUMBERS = {
+  tolerance: {
+    label: 'Tolerance in percent of the model’s size',
+    bounds: EXPORT.tolerance,
+    read: ({ request }) => request.tolerance,
+    change: (tolerance) => ({ tolerance }),
+  },
+  from: {
+    label: 'Start, in seconds on the timeline',
+    read: ({ numbers }) => numbers.range[0],
+    change: (
+      start,
+      {
+        numbers: {
+          range: [, end],
+        },
+      },
+    ) => (start < end ? { range: [start, end] } : null),
+  },
+  to: {
+    label: 'End, in seconds on the timeline',
+    read: ({ numbers }) => numbers.range[1],
+    change: (
+      end,
+      {
+        numbers: {
+          range: [start],
+        },
+      },
+    ) => (end > start ? { range: [start, end] } : null),
+  },
+  duration: {
+    label: 'Seconds',
+    bounds: { min: 0.01, max: MAX_SECONDS },
+    digits: 3,
+    read: ({ numbers }) => numbers.seconds,
+    change: (value, { request }) => (isTurn(request) ? { turn: value } : { duration: value }),
+  },
+  frames: {
+    label: 'Frames',
+    bounds: { min: EXPORT.frames.min, max: MAX_FRAMES, step: 1 },
+    read: ({ numbers }) => numbers.frames,
+    change: (frames) => ({ frames, rate: null }),
+  },
+  rate: {
+    label: 'Frames per second',
+    bounds: EXPORT.fps,
+    digits: 3,
+    read: ({ numbers }) => numbers.rate,
+    change: (rate) => ({ rate, frames: null }),
+  },
+  width: {
+    label: 'Width in pixels',
+    bounds: PIXELS,
+    read: ({ request }) => request.own.width,
+    change: (width, { request: { own } }) => ({ own: { ...own, width } }),
+  },
+  height: {
+    label: 'Height in pixels',
+    bounds: PIXELS,
+    read: ({ request }) => request.own.height,
+    change: (height, { request: { own } }) => ({ own: { ...own, height } }),
+  },
+} as const satisfies Record<string, NumberWords>;
+
+function createNumber(name: keyof typeof NUMBERS, change: Change): Row {
+  const { label, bounds, digits = 4, read, change: partOf }: NumberWords = NUMBERS[name];
+  const onInput = (value: number): void => change((shown) => partOf(value, shown));
+  const element = numberField({ ...bounds, label, testId: `export-${name}`, onInput });
+  return {
+    element,
+    update(props) {
+      setField(element, String(Number(read(props).toFixed(digits))));
+      // For a video, the duration determines the number of frames.
+      element.readOnly = name === 'frames' && isVideoRequest(props.request);
+    },
+  };
+}
+
+/** What is exported, and its format. */
+export function createFormats(change: Change): Row[] {
+  const choice = (name: keyof typeof CHOICES, label: string): Row => createChoice(name, label, change);
+  return [
+    choice('kind', 'What'),
+    ...(['animation', 'pose', 'picture', 'numbers'] as const).map((kind) =>
+      shownIf<ExportRowProps>(({ request }) => request.kind === kind, choice(kind, 'Format')),
+    ),
+    shownIf(({ video, videoFormats }) => video !== null && !!videoFormats?.length, choice('video', 'Video format')),
+  ];
+}
+
+export function createSettings(change: Change): Row[] {
+  const number = (name: keyof typeof NUMBERS): Row => createNumber(name, change);
+  const row = (label: string, ...parts: Part<ExportRowProps>[]): Row =>
+    withParts(fieldRow(label, ...elementsOf(parts)), parts);
+  const check = (name: 'bounce' | 'inPlace' | 'transparent' | 'crop', testId: string, label: string): Row => {
+    const { element, update } = checkbox(label, `export-${testId}`, (on) => change(() => ({ [name]: on })));
+    return { element, update: ({ request }) => update(request[name]) };
+  };
+  const frames = row('Frames', number('frames'), unit('at'), number('rate'), unit('fps'));
+  const bounce = check('bounce', 'bounce', 'Forwards, then backwards (twice as long)');
+  const transparent = check('transparent', 'transparent', 'Transparent, without the floor');
+  const crop = check('crop', 'crop', 'Cropped to the shape');
+  return [
+    shownIf(isGlb, createChoice('targets', 'Morph targets', change)),
+    shownIf(isThinned, row('Tolerance, % of the model’s size', number('tolerance'))),
+    shownIf(hasRange, row('Range', number('from'), unit('to'), number('to'), unit('s'))),
+    shownIf(isTimed, row('Seconds', createSpeed(), createReset(change), number('duration'))),
+    shownIf((props) => isTimed(props) && !isThinned(props), frames),
+    shownIf(({ request }) => canBounce(request), bounce),
+    shownIf(hasSize, createSize(change)),
+    shownIf(hasOwnSize, row('Pixels', number('width'), unit('×'), number('height'))),
+    group([transparent, crop], isPicture, 'checks'),
+    shownIf(isGlb, createChoice('compression', 'Numbers', change)),
+    shownIf(isFiles, check('inPlace', 'in-place', 'Without travel (in place)')),
+  ];
+}
+
+function createReset(change: Change): Row {
+  const label = 'Reset to the playback duration';
+  const element = resetButton(label, 'export-duration-reset', () => change(() => ({ duration: null })));
+  return { element, update: ({ request }) => setIdle(element, isTurn(request) || request.duration === null) };
+}
+
+function createSpeed(): Row {
+  const element = h('span', { class: 'unit', 'data-testid': 'export-speed' });
+  return {
+    element,
+    update: ({ request, numbers }) => setText(element, isTurn(request) ? '' : speedWords(request, numbers.speed)),
+  };
+}
+
+function createSize(change: Change): Row {
+  const sizes = (Object.keys(SIZE_WORDS) as SizeName[]).map((value) => ({ value, label: sizeLabel(value) }));
+  const { element, update } = select('Size', 'export-pixels', sizes, (value) =>
+    change(({ request }) => (isVideoRequest(request) ? { videoSize: value } : { size: value })),
+  );
+  element.classList.add('row');
+  return { element, update: ({ request, video }) => update(sizeName(request, video)) };
 }
 
 function speedWords({ duration }: ExportRequest, speed: number): string {
@@ -119,53 +248,6 @@ const SIZE_WORDS: Record<SizeName, string> = {
   upright: 'Upright',
   own: 'Own size',
 };
-
-/** Size, and for a PNG the background. */
-export function createPictureFields(change: Change): Fields<FieldsProps> {
-  let request: ExportRequest | null = null;
-  const size = select<SizeName>(
-    'Size',
-    'export-pixels',
-    (Object.keys(SIZE_WORDS) as SizeName[]).map((value) => ({ value, label: sizeLabel(value) })),
-    (value) => change(request && isVideoRequest(request) ? { videoSize: value } : { size: value }),
-  );
-  const side = (name: 'width' | 'height'): HTMLInputElement =>
-    numberField({
-      label: `${name === 'width' ? 'Width' : 'Height'} in pixels`,
-      testId: `export-${name}`,
-      min: MIN_PIXELS,
-      max: MAX_PIXELS,
-      step: 1,
-      onInput: (value) => {
-        if (request) change({ own: { ...request.own, [name]: value } });
-      },
-    });
-  const [width, height] = [side('width'), side('height')];
-  const transparent = checkbox('Transparent, without the floor', 'export-transparent', (on) =>
-    change({ transparent: on }),
-  );
-  const crop = checkbox('Cropped to the shape', 'export-crop', (on) => change({ crop: on }));
-  const ownRow = fieldRow('Pixels', width, unit('×'), height);
-  const checks = h('div', { class: 'checks' }, transparent.element, crop.element);
-  size.element.classList.add('row');
-  return {
-    elements: [size.element, ownRow, checks],
-    update(props) {
-      ({ request } = props);
-      const isVideo = isVideoRequest(request);
-      const isPicture = request.kind === 'picture' && !isVideo;
-      const name = sizeName(request, props.video);
-      size.update(name);
-      setHidden(size.element, !isVideo && !isPicture);
-      setHidden(ownRow, name !== 'own' || (!isVideo && !isPicture));
-      setHidden(checks, !isPicture);
-      setField(width, String(request.own.width));
-      setField(height, String(request.own.height));
-      transparent.update(request.transparent);
-      crop.update(request.crop);
-    },
-  };
-}
 
 function sizeLabel(name: SizeName): string {
   if (name === 'window' || name === 'own') return SIZE_WORDS[name];
