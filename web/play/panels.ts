@@ -1,13 +1,14 @@
 /** The controls beside the figures: choice of plots, and options of the shown curves. */
 import { button, segments, select, slider } from '../ui/controls.ts';
+import type { Component } from '../ui/dom.ts';
 import { h, setHidden, setText } from '../ui/dom.ts';
 import type { Spacing } from '../model/key-spacing.ts';
-import { TYPED_SPEED } from '../model/speeds.ts';
+import { DEFAULT_SPEED, MAX_SPEED, SPEED_STEP, TYPED_SPEED } from '../model/speeds.ts';
 import type { End } from '../plots/end-handle.ts';
 import { ENDS_WORDS } from './figures/words.ts';
 import type { Ends } from './splines/slopes.ts';
 import type { PlayState } from './state.ts';
-import { MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES, MAX_SPEED } from './state.ts';
+import { INITIAL, MAX_KEYS, MAX_SAMPLES, MIN_KEYS, MIN_SAMPLES } from './state.ts';
 
 export interface PanelEvents {
   onPlane(plane: boolean): void;
@@ -20,10 +21,7 @@ export interface PanelEvents {
   onSpeed(end: End, speed: number): void;
 }
 
-export interface Panel {
-  element: HTMLElement;
-  update(state: PlayState): void;
-}
+export type Panel = Component<PlayState>;
 
 /** Controls above the curve: dimensions, keys, times. */
 export function createTools(events: PanelEvents): Panel {
@@ -87,7 +85,7 @@ export function createCurveControls(events: PanelEvents): Panel {
     first: MIN_SAMPLES,
     last: MAX_SAMPLES,
     step: 1,
-    fallback: 20,
+    fallback: INITIAL.samples,
     onInput: events.onSamples,
   });
   const speed = (end: End, label: string, testId: string) =>
@@ -97,8 +95,8 @@ export function createCurveControls(events: PanelEvents): Panel {
       first: 0,
       last: MAX_SPEED,
       max: TYPED_SPEED,
-      step: 0.05,
-      fallback: 1,
+      step: SPEED_STEP,
+      fallback: DEFAULT_SPEED,
       hint: 'Relative to the constant speed to the neighbouring key; 0 eases in or out',
       onInput: (value) => events.onSpeed(end, value),
     });

@@ -54,8 +54,6 @@ export const MIN_KEYS = 2;
 export const MAX_KEYS = 12;
 export const MIN_SAMPLES = 5;
 export const MAX_SAMPLES = 60;
-/** Largest speed of handles and sliders; higher speeds can be typed. */
-export const MAX_SPEED = 4;
 /** Smallest interval between two keys during dragging, relative to the whole time. */
 const MIN_GAP = 0.02;
 /** Shown time before and after the keys, relative to the whole. */

@@ -2,7 +2,7 @@
 import { clamp } from '../../model/time-scale.ts';
 import { ENDS, createEndHandle } from '../../plots/end-handle.ts';
 import type { End } from '../../plots/end-handle.ts';
-import { MAX_SPEED } from '../state.ts';
+import { MAX_SPEED } from '../../model/speeds.ts';
 import type { PlayState } from '../state.ts';
 import type { Box } from './plot.ts';
 
