@@ -15,6 +15,7 @@ const warning = (code: string, face: number) => ({
   face,
   patches: [],
   about: 'Between',
+  start: 'Between key 4 and key 5',
   text: 'neighbouring regions turn.',
 });
 

@@ -63,3 +63,14 @@ function extremes(positions: Float32Array): number[] {
   }
   return found;
 }
+
+/** Minimum and maximum coordinate along an axis. */
+export function rangeAlong(positions: Float32Array, axis: 0 | 1 | 2): [number, number] {
+  let low = Infinity;
+  let high = -Infinity;
+  for (let i = axis; i < positions.length; i += 3) {
+    low = Math.min(low, positions[i]!);
+    high = Math.max(high, positions[i]!);
+  }
+  return [low, high];
+}

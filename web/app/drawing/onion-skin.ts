@@ -4,6 +4,7 @@ import { PHASE_COLOURS, clamp, formatTime, length, phaseOf } from '../../model/t
 import type { Range } from '../../model/time-scale.ts';
 import { ONION_COLOURS } from '../../model/state.ts';
 import type { View } from '../../model/state.ts';
+import { rangeAlong } from '../../viewer/bounds.ts';
 import type { Extra } from '../../viewer/types.ts';
 
 type OnionView = Pick<View, 'onionSkins' | 'onionSpacing'>;
@@ -63,10 +64,10 @@ export function filmTimes({ keys, range, periodic }: OnionSkinInput, count: numb
 
 /** Label positions for a strip's shapes, xyz interleaved: centred below each shape. */
 export function filmLabelPositions(strip: readonly Extra[]): Float32Array {
-  const lowest = Math.min(...strip.map(({ positions }) => rangeOf(positions, 1)[0]));
+  const lowest = Math.min(...strip.map(({ positions }) => rangeAlong(positions, 1)[0]));
   return Float32Array.from(
     strip.flatMap(({ positions, offset }) => {
-      const middle = (axis: 0 | 2): number => rangeOf(positions, axis).reduce((sum, end) => sum + end / 2, 0);
+      const middle = (axis: 0 | 2): number => rangeAlong(positions, axis).reduce((sum, end) => sum + end / 2, 0);
       return [middle(0) + offset, lowest, middle(2)];
     }),
   );
@@ -90,7 +91,7 @@ export function filmNames({ keys, range }: OnionSkinInput, times: readonly numbe
  * widest shapes.
  */
 export function filmStrips(input: OnionSkinInput, motions: readonly (readonly Frame[])[]): Extra[][] {
-  const boxes = motions.map((frames) => frames.map(({ positions }) => rangeOf(positions, 0)));
+  const boxes = motions.map((frames) => frames.map(({ positions }) => rangeAlong(positions, 0)));
   const columns = columnsOf(boxes.map((strip) => strip.map(([low, high]) => high - low)));
   return motions.map((frames, motion) =>
     frames.map((frame, index) => {
@@ -123,15 +124,4 @@ export function columnsOf(widths: readonly (readonly number[])[]): number[] {
 
 function colourAt(t: number, { keys, range, periodic }: OnionSkinInput, tolerance: number): string {
   return PHASE_COLOURS[phaseOf({ t, keys, range, periodic, tolerance }).kind];
-}
-
-/** Minimum and maximum coordinate along an axis. */
-function rangeOf(positions: Float32Array, axis: 0 | 1 | 2): [number, number] {
-  let low = Infinity;
-  let high = -Infinity;
-  for (let i = axis; i < positions.length; i += 3) {
-    low = Math.min(low, positions[i]!);
-    high = Math.max(high, positions[i]!);
-  }
-  return [low, high];
 }

@@ -7,18 +7,20 @@ function namedKeys({ about, key, count: locations }: Warning, count: number): nu
   return about === 'Keys' ? Array.from({ length: locations }, (_, i) => key - locations + 1 + i) : [key];
 }
 
-/** The message of a warning that names these keys. */
-function sentenceOf({ about, text }: Warning, keys: readonly number[]): string {
+/** The warning with a message that names these keys. */
+function naming(warning: Warning, keys: readonly number[]): Warning {
+  const { about, text } = warning;
+  if (!about) return warning;
   const numbers = keys.map((key) => key + 1);
   const start = about === 'Between' ? `Between key ${numbers.join(' and key ')}` : `${about} ${listOf(numbers)}`;
-  return `${start} ${text}`;
+  return { ...warning, start, message: `${start} ${text}` };
 }
 
 /** The core's warnings in sentences. `userKeys`: the user's number of each key, if they differ. */
 export function withSentences(warnings: readonly Warning[], count: number, userKeys?: readonly number[]): Warning[] {
   return warnings.map((warning) => {
     const numbered = { ...warning, key: userKeys?.[warning.key] ?? warning.key, text: warning.message };
-    return warning.about ? { ...numbered, message: sentenceOf(numbered, namedKeys(numbered, count)) } : numbered;
+    return naming(numbered, namedKeys(numbered, count));
   });
 }
 
@@ -29,7 +31,7 @@ export function renumbered(warning: Warning, keyOf: (pose: number) => number): W
   const keys = poses.map(keyOf).filter((key) => key >= 0);
   if (keys.length < Math.min(poses.length, 2)) return null;
   keys.sort((a, b) => a - b);
-  return { ...warning, key: keys.at(-1)!, message: warning.about ? sentenceOf(warning, keys) : warning.message };
+  return naming({ ...warning, key: keys.at(-1)! }, keys);
 }
 
 function listOf(numbers: readonly number[]): string {

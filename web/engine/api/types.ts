@@ -60,8 +60,9 @@ export interface Warning {
   face: number;
   /** The patches of all locations, numbered as in `Sequence.patches`. */
   patches: number[];
-  /** Kind of the message's start, which names the key (`sentences`), and the rest; absent or empty if it names none. */
+  /** If the message names keys (`sentences`): how, its start with the keys, and its rest. */
   about?: string;
+  start?: string;
   text?: string;
 }
 
