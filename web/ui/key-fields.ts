@@ -116,7 +116,7 @@ function createShaping(onShaping: (name: ShapingNumber, value: number) => void) 
 function createTiming(onNumber: (name: IntervalNumber, value: number) => void, onTiming: (timing: Timing) => void) {
   const numbers = createNumbers(INTERVAL_NUMBERS, onNumber);
   const presets = TIMINGS.map(({ id, label, hint, timing }) =>
-    button({ label: hint, text: label, testId: `key-timing-${id}`, kind: 'quiet', onClick: () => onTiming(timing) }),
+    button({ label: hint, text: label, testId: `key-timing-${id}`, onClick: () => onTiming(timing) }),
   );
   const reason = h('p', { class: 'reason', 'data-testid': 'key-timing-reason', hidden: true });
   const element = h(
