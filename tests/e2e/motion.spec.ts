@@ -228,8 +228,10 @@ test('buttons set the timing between two keys, as one undo step', async ({ app }
   };
   const plain = await shown();
   await app.by('key-0-edit').click();
+  await app.by('key-timing-summary').click();
   await app.by('key-timing-straight').click();
   await expect(app.by('key-swing')).toHaveValue('-1');
+  await expect(app.by('key-timing-summary')).toContainText('straight');
   await app.by('key-editor-close').click();
   await app.settled();
   const timed = await shown();

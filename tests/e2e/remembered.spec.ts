@@ -120,6 +120,7 @@ const visitAgain = (app: App): Promise<unknown> => app.open();
 async function choose(app: App, name: string): Promise<void> {
   await app.by('sample').click();
   await app.page.getByRole('group', { name: 'Your files' }).getByRole('button', { name }).click();
+  await expect.poll(() => names(app)).toContain(name);
   await app.settled();
 }
 

@@ -10,3 +10,9 @@ export const TIMINGS: readonly { id: string; label: string; hint: string; timing
   { id: 'straight', label: 'Straight', hint: 'The mean of both keys in the middle', timing: { earlier: 0, swing: -1 } },
   { id: 'overshoot', label: 'Overshoot', hint: 'Swings out half as far again', timing: { earlier: 0, swing: 0.5 } },
 ];
+
+/** For a sentence. */
+export function timingName({ earlier, swing }: Timing): string {
+  const usual = TIMINGS.find(({ timing }) => timing.earlier === earlier && timing.swing === swing);
+  return usual?.label.toLowerCase() ?? 'own numbers';
+}

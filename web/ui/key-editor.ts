@@ -137,8 +137,8 @@ function createKeyActions(events: { onMove(by: 1 | -1): void; onReference(): voi
 } {
   const act = (testId: string, symbol: IconName, text: string, label: string, onClick: () => void): HTMLButtonElement =>
     button({ label, testId, icon: symbol, text, onClick });
-  const earlier = act('key-earlier', 'left', 'Earlier', 'Move earlier in the order', () => events.onMove(-1));
-  const later = act('key-later', 'right', 'Later', 'Move later in the order', () => events.onMove(1));
+  const earlier = act('key-earlier', 'left', 'Move earlier', 'Move earlier in the order', () => events.onMove(-1));
+  const later = act('key-later', 'right', 'Move later', 'Move later in the order', () => events.onMove(1));
   const measure = 'Measure deformations from this key';
   const reference = act('key-reference', 'check', 'Use as reference', measure, () => events.onReference());
   const remove = act('key-remove', 'trash', 'Remove', 'Remove this key', () => events.onRemove());

@@ -7,9 +7,9 @@ import type { KeyRef, Motion } from '../model/state.ts';
 import type { Range } from '../model/time-scale.ts';
 import { formatTime } from '../model/time-scale.ts';
 import type { Timing } from '../model/timing-presets.ts';
-import { TIMINGS } from '../model/timing-presets.ts';
-import { button, buttonGroup, fieldRow, numberField } from './controls.ts';
-import { h, say, setField, setHidden } from './dom.ts';
+import { TIMINGS, timingName } from '../model/timing-presets.ts';
+import { button, fieldRow, numberField } from './controls.ts';
+import { h, say, setField, setHidden, setText } from './dom.ts';
 import { createKeyTurns } from './key-turns.ts';
 import { optionControl } from './option-field.ts';
 
@@ -119,17 +119,15 @@ function createTiming(onNumber: (name: IntervalNumber, value: number) => void, o
     button({ label: hint, text: label, testId: `key-timing-${id}`, onClick: () => onTiming(timing) }),
   );
   const reason = h('p', { class: 'reason', 'data-testid': 'key-timing-reason', hidden: true });
-  const element = h(
-    'div',
-    { class: 'key-timing', 'data-testid': 'key-timing' },
-    buttonGroup('On the way to the next key', ...presets),
-    ...numbers.elements,
-    reason,
-  );
+  const summary = h('summary', { 'data-testid': 'key-timing-summary' });
+  const rows = h('div', { class: 'group' }, h('div', { class: 'button-row' }, ...presets), ...numbers.elements, reason);
+  // Closed, so the editor covers little of the page.
+  const element = h('details', { class: 'details key-timing', 'data-testid': 'key-timing' }, summary, rows);
   return {
     element,
     update({ keys, motion }: KeyFieldsProps, shaping: Shaping, index: number): void {
       setHidden(element, index === keys.length - 1 && motion.boundary !== 'periodic');
+      setText(summary, `Timing to the next key: ${timingName(shaping)}`);
       const unused = numbers.update(motion, shaping);
       for (const one of presets) one.disabled = unused !== '';
       say(reason, unused);
