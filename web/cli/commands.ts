@@ -8,12 +8,21 @@ import { kgBetween } from '../study/ghost-study.ts';
 import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/api/read-poses.ts';
 import { NO_PLACE } from '../engine/api/types.ts';
-import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/api/types.ts';
+import { checkSequenceOptions, encodingOf } from '../engine/api/options.ts';
+import type {
+  ExportOptions,
+  ImportOptions,
+  InputFile,
+  KeysInfo,
+  SequenceOptions,
+  Warning,
+} from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { addInputs, readInputs } from './input.ts';
 import { KnownFiles } from './known-files.ts';
 import { checkOutputs, writeOutputs, type Output } from './output.ts';
 import { checkFit, exportOptions, importOptions, sequenceOptions, withProject } from './settings.ts';
+import { fitsTiming, fittedTiming, type FittedTiming } from './timing.ts';
 
 /** Milliseconds of each stage, in order. */
 class Timings {
@@ -78,6 +87,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
   if (!output) throw new UsageError('complete needs --output (see --help)');
   const options = { import: importOptions(args), sequence: sequenceOptions(args), export: exportOptions(args, output) };
   const report = args.values.get('report');
+  const fits = fitsTiming(args);
   const known = await checkedFiles(args, options.export);
   return withEngine(async (engine) => {
     const timings = new Timings();
@@ -89,7 +99,9 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     );
     checkFit(args, given, [given.method ?? OWN_METHOD]);
     const tangents = await readTangents(engine, args, keys, options.import);
-    const sequence = await timings.time('build', engine.createSequence(keys, { ...given, ...tangents }));
+    const all = checkSequenceOptions({ ...given, ...tangents });
+    const timing = fits ? await timings.time('timing', timingOf(engine, keys, inputs, options.import, all)) : null;
+    const sequence = await timings.time('build', engine.createSequence(keys, { ...all, ...timing?.options }));
     const plan = await timings.time('plan', sequence.planExport(options.export));
     if (plan.bytes > LARGE) say(`writing ${output}, about ${Math.round(plan.bytes / 1e6)} MB`);
     const warnings = [...keys.info.warnings, ...left, ...sequence.warnings, ...plan.warnings];
@@ -135,11 +147,23 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     const count = options.export.blend ? 1 : plan.times.length;
     const off = plan.error === null ? '' : `, largest error between frames ${errorText(plan.error)}`;
     const others = beside.length === 0 ? '' : `; also written: ${beside.join(', ')}`;
+    const fitted = timing ? `; ${timing.text}` : '';
     return {
-      text: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}\n`,
+      text: `${output}: ${count} ${count === 1 ? 'shape' : 'shapes'}${off}, ${bytes} bytes${others}${fitted}\n`,
       warnings: warnings.map(({ message }) => message),
     };
   });
+}
+
+async function timingOf(
+  engine: Engine,
+  keys: Keys,
+  inputs: InputFile[],
+  imported: ImportOptions,
+  options: SequenceOptions,
+): Promise<FittedTiming> {
+  const shape = await engine.encode(keys, encodingOf(options));
+  return fittedTiming({ engine, keys, inputs, imported }, shape, options).finally(() => shape.dispose());
 }
 
 /**

@@ -26,6 +26,7 @@ import {
 } from './settings.ts';
 import { noFrames, readReference } from './reference-animation.ts';
 import type { Reference } from './reference-animation.ts';
+import { fitsTiming, fittedTiming } from './timing.ts';
 
 /** Number of frames held in memory at a time. */
 const AT_ONCE = 16;
@@ -48,18 +49,21 @@ export async function measure(args: Arguments): Promise<Measured> {
   if (against.length === 0 && Object.keys(own).length > 0)
     throw new UsageError('--against-up and --against-unit require --against');
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
+  const fits = fitsTiming(args);
   const known = await checkedFiles(args);
   return withEngine(async (engine) => {
-    const keys = await engine.importKeyframes(await readInputs(args.files), imported);
+    const inputs = await readInputs(args.files);
+    const keys = await engine.importKeyframes(inputs, imported);
     // A project's own method is not measured unless it is requested.
     const left: string[] = [];
     const all = withProject(keys.info.project, { ...options, method: methods[0]! }, (warning) => left.push(warning));
     checkFit(args, all, methods);
     const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));
-    const sequence = await shape.motion(motionOf(wholly));
+    const timing = fits ? await fittedTiming({ engine, keys, inputs, imported }, shape, wholly) : null;
+    const sequence = await shape.motion({ ...motionOf(wholly), ...timing?.options });
     // Options that a compared method lacks are left out for that method only.
-    const wished = { ...wholly, ...keys.info.project, ...options };
+    const wished = { ...wholly, ...keys.info.project, ...options, ...timing?.options };
     const motionBy = async (method: Method): Promise<Motion> => {
       const own = motionFor(ghostFor(wished, method), { method });
       const same = own.ghostFaces === wholly.ghostFaces;
@@ -92,8 +96,9 @@ export async function measure(args: Arguments): Promise<Measured> {
     const lines = [
       `# shapespline ${version}`,
       `# files ${tableJson(args.files)}`,
-      `# options ${tableJson({ import: imported, sequence: options, keyTimes: sequence.keyTimes })}`,
+      `# options ${tableJson({ import: imported, sequence: { ...options, ...timing?.options }, keyTimes: sequence.keyTimes })}`,
       ...warnings.map((warning) => `# warning: ${warning}`),
+      ...(timing ? [`# ${timing.text}`] : []),
       ...(reference ? [`# against ${tableJson(against)}`, ...comments, ERROR_UNITS] : []),
       MEASURE_UNITS,
       ...(byShell ? [SHELL_UNITS] : []),

@@ -98,7 +98,7 @@ function known(flags: Flag[], own: string[], several: string[] = [], bare: strin
 export const INSPECT = known(importFlags, []);
 export const COMPLETE = known(
   [...importFlags, ...motionFlags, ...encodingFlags, ...exportFlags],
-  ['output', 'report'],
+  ['output', 'report', 'fit-timing'],
   [],
   ['overwrite'],
 );
@@ -112,7 +112,7 @@ const momentFlags = exportFlags.filter(({ name }) => MOMENTS.includes(name));
 const shownFlags = motionFlags.filter(({ name }) => name !== 'method');
 export const MEASURE = known(
   [...importFlags, ...shownFlags, ...encodingFlags.filter(({ option }) => option.kind !== 'shape'), ...momentFlags],
-  ['output', 'methods', 'against', 'against-up', 'against-unit'],
+  ['output', 'methods', 'against', 'against-up', 'against-unit', 'fit-timing'],
   ['against'],
   ['shell-bending', 'overwrite'],
 );
@@ -185,6 +185,7 @@ ${line('  --against FILE', "measure, study spaces: compare each method with this
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
 ${line('  --shell-bending', 'measure: add the bending energy computed from edge lengths and angles, in the same way for every method; up to three more shapes are computed for each time')}
+${line('  --fit-timing whole|off', 'complete, measure: fit --earlier and --swing to the animation from which the keys are taken, and print the error on frames that the fit has not seen; default: off')}
 ${line('  --overwrite', 'let --output and --report replace an input. Never replaced are files that an input refers to, nor files beside the output that shapespline did not write or that have changed since')}
 ${line('  --report R.json', 'complete: write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}

@@ -11,8 +11,17 @@ import {
   sequenceOptions,
   withProject,
 } from '../../../web/cli/settings.ts';
+import { fitsTiming } from '../../../web/cli/timing.ts';
 
 const parse = (...words: string[]) => parseArguments(words, COMPLETE);
+
+it('timing is fitted or given, for keys at the times of their animation', () => {
+  expect(['whole', '1', 'off'].map((value) => fitsTiming(parse(`--fit-timing=${value}`)))).toEqual([true, true, false]);
+  expect(fitsTiming(parse('--swing=1,0'))).toBe(false);
+  for (const word of ['--earlier=0.1,0', '--swing=1,0', '--key-times=0,1', '--every-frame'])
+    expect(() => fitsTiming(parse('--fit-timing=whole', word))).toThrow(/exclude each other/);
+  expect(() => fitsTiming(parse('--fit-timing=16'))).toThrow(UsageError);
+});
 
 describe('the command line', () => {
   it('takes values behind = or as the next word, negative ones too', () => {

@@ -1,0 +1,67 @@
+/** The option --fit-timing: the timing that fits the motion to the animation from which the keys were taken. */
+import type { Engine, Keys, Shape } from '../engine/api/api.ts';
+import { OWN_METHOD } from '../engine/api/methods.ts';
+import { motionOf } from '../engine/api/options.ts';
+import type { ImportOptions, InputFile, MotionOptions, SequenceOptions } from '../engine/api/types.ts';
+import { fitTiming, type TimingFit } from '../study/timing-fit.ts';
+import { UsageError, type Arguments } from './arguments.ts';
+import { readReference } from './reference-animation.ts';
+import { oneOf } from './values.ts';
+
+const FLAG = '--fit-timing';
+
+/** What the command has read. */
+interface Source {
+  engine: Engine;
+  keys: Keys;
+  inputs: InputFile[];
+  imported: ImportOptions;
+}
+
+export interface FittedTiming {
+  options: Pick<MotionOptions, 'earlier' | 'swing'>;
+  /** The errors, as part of a sentence. */
+  text: string;
+}
+
+/** Whether timing is to be fitted. Refuses options that exclude it, before any file is read. */
+export function fitsTiming(args: Arguments): boolean {
+  const value = args.values.get('fit-timing');
+  if (value === undefined || oneOf('whole', '1', 'off')(value, FLAG) === 'off') return false;
+  for (const other of ['earlier', 'swing', 'key-times', 'every-frame'])
+    if (args.values.has(other) || args.flags.has(other))
+      throw new UsageError(`${FLAG} and --${other} exclude each other`);
+  return true;
+}
+
+/** `shape`: the keys, encoded. */
+export async function fittedTiming(
+  { engine, keys, inputs, imported }: Source,
+  shape: Shape,
+  options: SequenceOptions,
+): Promise<FittedTiming> {
+  if (options.method !== OWN_METHOD || options.keepLengths > 0)
+    throw new UsageError(`${FLAG} requires --method ${OWN_METHOD}, without --keep-lengths`);
+  if (keys.info.animation < 0)
+    throw new UsageError(`${FLAG} requires keys that are taken from an animation (see --sample)`);
+  const animation = await readReference(engine, keys, inputs, imported, {});
+  try {
+    // Holding and pins move the shapes after the spline, and the travel belongs to the animation.
+    const plain: MotionOptions = { ...motionOf(options), hold: 'off', pins: [], inPlace: false };
+    const fit = await fitTiming({ shape, options: plain, animation }, keys.info.times);
+    if (!fit)
+      throw new UsageError(`${FLAG}: the animation has no frames between the keys. Take fewer keys (see --sample)`);
+    return { options: { earlier: fit.earlier, swing: fit.swing }, text: textOf(fit) };
+  } finally {
+    animation.dispose();
+  }
+}
+
+function textOf({ earlier, unseen }: TimingFit): string {
+  if (!unseen) return 'timing fitted to every frame between the keys';
+  const [before, after] = [unseen.before, unseen.after].map((error) => `${Number(error.toPrecision(3))} %`);
+  const where = `on ${unseen.frames} ${unseen.frames === 1 ? 'frame' : 'frames'} between the keys`;
+  return earlier.length === 0
+    ? `timing not fitted, because it raised the KG error from ${before} to ${after} ${where} that it was not fitted to`
+    : `timing fitted: KG error ${before} without it, ${after} with a fit to the other half, ${where}`;
+}
