@@ -60,7 +60,7 @@ double betaByPieces(const std::vector<double>& knots, std::size_t k, double t) {
 }  // namespace
 
 TEST_CASE("timed weights follow the formula") {
-  const Curve plain = fit({}), timed = fit({.earlier = earlier, .swing = swing});
+  const Curve plain = fit({}), timed = fit({.timing = {earlier, swing}});
   for (double t = -1; t <= 4; t += 0.0731) {
     Weights expected = plain.weights(t);
     for (std::size_t k = 0; k + 1 < times.size(); ++k) {
@@ -78,8 +78,8 @@ TEST_CASE("timing keeps the keys and the motion beyond them; 0 changes no bit") 
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
     const CurveOptions options{.boundary = boundary, .tension = {0, 0.25, 0, 0, 0.5, 0}};
     CurveOptions zero = options, full = options;
-    zero.earlier.assign(6, 0), zero.swing.assign(6, 0);
-    full.earlier = earlier, full.swing = swing;
+    zero.timing.earlier.assign(6, 0), zero.timing.swing.assign(6, 0);
+    full.timing = {earlier, swing};
     const Curve plain = fit(options), none = fit(zero), timed = fit(full);
     for (double t = -2; t <= 6; t += 0.0711) {
       const double inside = plain.wrap(t).time;
@@ -98,7 +98,7 @@ TEST_CASE("timing keeps the keys and the motion beyond them; 0 changes no bit") 
 TEST_CASE("timed weights are C2 between the keys, and in a loop everywhere") {
   const double step = 1e-7;
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Periodic}) {
-    const Curve timed = fit({.boundary = boundary, .earlier = earlier, .swing = swing});
+    const Curve timed = fit({.boundary = boundary, .timing = {earlier, swing}});
     const bool loop = boundary == BoundaryKind::Periodic;
     for (std::size_t j = 0; j < times.size(); ++j) {
       if (!loop && (j == 0 || j + 1 == times.size())) continue;
@@ -115,7 +115,7 @@ TEST_CASE("the last value counts in a loop that closes in an additional interval
   const auto last = [](BoundaryKind boundary, Closing closing) {
     const CurveOptions plain{.boundary = boundary, .closing = closing};
     CurveOptions timed = plain;
-    timed.earlier = {0, 0, 0, 0, 0, 0.3};
+    timed.timing.earlier = {0, 0, 0, 0, 0, 0.3};
     const double t = boundary == BoundaryKind::Periodic ? fit(plain).end() - 0.4 : 3;
     return (fit(timed).weights(t) - fit(plain).weights(t)).norm();
   };
@@ -125,12 +125,12 @@ TEST_CASE("the last value counts in a loop that closes in an additional interval
 }
 
 TEST_CASE("reversed keys with `earlier` of the other sign give the reversed weights") {
-  const Curve timed = fit({.earlier = earlier, .swing = swing});
+  const Curve timed = fit({.timing = {earlier, swing}});
   std::vector<double> reversed(times.rbegin(), times.rend());
   for (double& t : reversed) t = -t;
   std::vector<double> later(6, 0), swung(6, 0);
   for (int k = 0; k < 5; ++k) later[4 - k] = -earlier[k], swung[4 - k] = swing[k];
-  const Curve back = fit({.earlier = later, .swing = swung}, reversed);
+  const Curve back = fit({.timing = {later, swung}}, reversed);
   for (double t = -1; t <= 4; t += 0.0713)
     CHECK((timed.weights(t).head(6) - back.weights(-t).head(6).reverse()).cwiseAbs().maxCoeff() < 1e-12);
 }
@@ -138,7 +138,7 @@ TEST_CASE("reversed keys with `earlier` of the other sign give the reversed weig
 TEST_CASE("a key with tension 1 stops, whatever the timing of its neighbours; two equal ones do not move") {
   const std::vector<double> tension = {0, 0, 1, 1, 0, 0};
   for (const BoundaryKind boundary : {BoundaryKind::Natural, BoundaryKind::Hermite, BoundaryKind::Periodic}) {
-    const Curve timed = fit({.boundary = boundary, .tension = tension, .earlier = earlier, .swing = swing});
+    const Curve timed = fit({.boundary = boundary, .tension = tension, .timing = {earlier, swing}});
     Eigen::VectorXd y = randomColumns(6);
     y[3] = y[2];
     for (double t = times[2]; t <= times[3]; t += 0.0717)
@@ -153,13 +153,13 @@ TEST_CASE("a key with tension 1 stops, whatever the timing of its neighbours; tw
 }
 
 TEST_CASE("swing -1 is straight at the middle, and earlier moves the middle along") {
-  const Curve plain = fit({}), straight = fit({.swing = std::vector<double>(6, -1)});
+  const Curve plain = fit({}), straight = fit({.timing = {{}, std::vector<double>(6, -1)}});
   for (std::size_t k = 0; k + 1 < times.size(); ++k) {
     const Weights middle = straight.weights((times[k] + times[k + 1]) / 2);
     CHECK(middle[static_cast<Eigen::Index>(k)] == doctest::Approx(0.5));
     CHECK(middle[static_cast<Eigen::Index>(k) + 1] == doctest::Approx(0.5));
   }
-  const Curve ahead = fit({.earlier = std::vector<double>(6, 0.1)});
+  const Curve ahead = fit({.timing = {std::vector<double>(6, 0.1), {}}});
   const double middle = (times[2] + times[3]) / 2, h = times[3] - times[2];
   CHECK((ahead.weights(middle) - plain.weights(middle) - 0.1 * h * plain.weights(middle, 1)).norm() < 1e-12);
 }
@@ -167,7 +167,7 @@ TEST_CASE("swing -1 is straight at the middle, and earlier moves the middle alon
 TEST_CASE("a thousand keys keep their weights with timing") {
   std::vector<double> at(1000), a(1000), b(1000);
   for (int j = 0; j < 1000; ++j) at[j] = j + 0.3 * std::sin(j), a[j] = 0.3 * std::cos(j), b[j] = std::sin(3 * j);
-  const Curve timed = fit({.earlier = a, .swing = b}, at);
+  const Curve timed = fit({.timing = {a, b}}, at);
   for (double t = 100.3; t < 110; t += 0.37) {
     CHECK(timed.weights(t).sum() == doctest::Approx(1).epsilon(1e-9));
     CHECK(timed.weights(t).cwiseAbs().sum() < 5);
@@ -181,8 +181,8 @@ TEST_CASE("timing with a wrong number of values, or one that is not finite, is r
     CHECK(curve.error().code == ErrorCode::InvalidOption);
     return curve.error().message;
   };
-  CHECK(message({.earlier = {1, 2}}) == "There are 2 values of earlier for 6 keys. Give one per key, or none.");
-  CHECK(message({.swing = {0, 0, NAN, 0, 0, 0}}) == "A value of swing is not a finite number.");
+  CHECK(message({.timing = {{1, 2}, {}}}) == "There are 2 values of earlier for 6 keys. Give one per key, or none.");
+  CHECK(message({.timing = {{}, {0, 0, NAN, 0, 0, 0}}}) == "A value of swing is not a finite number.");
 }
 
 }  // namespace shapespline::test::interval_timing_test

@@ -39,7 +39,29 @@ const expectShapings = (d: Doc): void =>
 const poses = (d: Doc): number[] => d.keys.map((key) => key.pose);
 const times = (d: Doc): number[] => d.keys.map((key) => key.time);
 
+/** A region whose numbers are those of the keys. */
+const withRegion = (d: Doc): Doc => {
+  const [earlier, swing] = (['earlier', 'swing'] as const).map((name) => d.keys.map(({ shaping }) => shaping[name]));
+  return setMotion(d, { regions: [{ faces: [0, 4], earlier: earlier!, swing: swing!, soft: true }] });
+};
+
 describe('edits of keys', () => {
+  it('move the numbers of regions with their keys, as the numbers of the whole', () => {
+    const start = withRegion(doc);
+    const key = { pose: 3, name: 'new' };
+    for (const next of [
+      moveKey(start, 0, 2),
+      removeKey(start, 1),
+      retimeKey(start, 0, 0.5),
+      addKey(start, { ...key, time: 0.2 }),
+      addKey(start, { ...key, time: 2 }),
+      addKey(start, { ...key, time: -1 }),
+      reverseMotion(start),
+      setMotion(start, { endSpeed: 0 }),
+    ])
+      expect(next.motion.regions).toEqual(withRegion(next).motion.regions);
+  });
+
   it('move a shape to another place without changing the times', () => {
     const next = moveKey(doc, 0, 2);
     expect(poses(next)).toEqual([1, 2, 0]);

@@ -9,20 +9,13 @@ import { withEngine } from '../engine/node.ts';
 import { readPose } from '../engine/api/read-poses.ts';
 import { NO_PLACE } from '../engine/api/types.ts';
 import { checkSequenceOptions, encodingOf } from '../engine/api/options.ts';
-import type {
-  ExportOptions,
-  ImportOptions,
-  InputFile,
-  KeysInfo,
-  SequenceOptions,
-  Warning,
-} from '../engine/api/types.ts';
+import type { ExportOptions, ImportOptions, KeysInfo, SequenceOptions, Warning } from '../engine/api/types.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { addInputs, readInputs } from './input.ts';
 import { KnownFiles } from './known-files.ts';
 import { checkOutputs, writeOutputs, type Output } from './output.ts';
 import { checkFit, exportOptions, importOptions, sequenceOptions, withProject } from './settings.ts';
-import { fitsTiming, fittedTiming, type FittedTiming } from './timing.ts';
+import { fittedRegions, fittedTiming, type FittedTiming, type Source } from './timing.ts';
 
 /** Milliseconds of each stage, in order. */
 class Timings {
@@ -87,7 +80,7 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
   if (!output) throw new UsageError('complete needs --output (see --help)');
   const options = { import: importOptions(args), sequence: sequenceOptions(args), export: exportOptions(args, output) };
   const report = args.values.get('report');
-  const fits = fitsTiming(args);
+  const regions = fittedRegions(args);
   const known = await checkedFiles(args, options.export);
   return withEngine(async (engine) => {
     const timings = new Timings();
@@ -100,7 +93,8 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
     checkFit(args, given, [given.method ?? OWN_METHOD]);
     const tangents = await readTangents(engine, args, keys, options.import);
     const all = checkSequenceOptions({ ...given, ...tangents });
-    const timing = fits ? await timings.time('timing', timingOf(engine, keys, inputs, options.import, all)) : null;
+    const source = { engine, keys, inputs, imported: options.import };
+    const timing = regions > 0 ? await timings.time('timing', timingOf(source, all, regions)) : null;
     const sequence = await timings.time('build', engine.createSequence(keys, { ...all, ...timing?.options }));
     const plan = await timings.time('plan', sequence.planExport(options.export));
     if (plan.bytes > LARGE) say(`writing ${output}, about ${Math.round(plan.bytes / 1e6)} MB`);
@@ -155,15 +149,9 @@ export async function complete(args: Arguments, say: (text: string) => void): Pr
   });
 }
 
-async function timingOf(
-  engine: Engine,
-  keys: Keys,
-  inputs: InputFile[],
-  imported: ImportOptions,
-  options: SequenceOptions,
-): Promise<FittedTiming> {
-  const shape = await engine.encode(keys, encodingOf(options));
-  return fittedTiming({ engine, keys, inputs, imported }, shape, options).finally(() => shape.dispose());
+async function timingOf(source: Source, options: SequenceOptions, regions: number): Promise<FittedTiming> {
+  const shape = await source.engine.encode(source.keys, encodingOf(options));
+  return fittedTiming(source, shape, options, regions).finally(() => shape.dispose());
 }
 
 /**

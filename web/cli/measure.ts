@@ -26,7 +26,7 @@ import {
 } from './settings.ts';
 import { noFrames, readReference } from './reference-animation.ts';
 import type { Reference } from './reference-animation.ts';
-import { fitsTiming, fittedTiming } from './timing.ts';
+import { fittedRegions, fittedTiming } from './timing.ts';
 
 /** Number of frames held in memory at a time. */
 const AT_ONCE = 16;
@@ -49,7 +49,7 @@ export async function measure(args: Arguments): Promise<Measured> {
   if (against.length === 0 && Object.keys(own).length > 0)
     throw new UsageError('--against-up and --against-unit require --against');
   const [imported, options, wanted] = [importOptions(args), sequenceOptions(args), measuredTimes(args)];
-  const fits = fitsTiming(args);
+  const regions = fittedRegions(args);
   const known = await checkedFiles(args);
   return withEngine(async (engine) => {
     const inputs = await readInputs(args.files);
@@ -60,7 +60,7 @@ export async function measure(args: Arguments): Promise<Measured> {
     checkFit(args, all, methods);
     const wholly = checkSequenceOptions(all);
     const shape = await engine.encode(keys, encodingOf(wholly));
-    const timing = fits ? await fittedTiming({ engine, keys, inputs, imported }, shape, wholly) : null;
+    const timing = regions > 0 ? await fittedTiming({ engine, keys, inputs, imported }, shape, wholly, regions) : null;
     const sequence = await shape.motion({ ...motionOf(wholly), ...timing?.options });
     // Options that a compared method lacks are left out for that method only.
     const wished = { ...wholly, ...keys.info.project, ...options, ...timing?.options };

@@ -28,6 +28,7 @@ const readKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Read | null
   shape: (file) => file,
   turns: read.turns,
   pins: (text, option) => text.split(BETWEEN_VALUES).map((one) => read.pin(one, option)),
+  regions: null,
   numbers: read.numbers,
   weights: read.numbers,
   range: read.range,
@@ -185,7 +186,7 @@ ${line('  --against FILE', "measure, study spaces: compare each method with this
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
 ${line('  --shell-bending', 'measure: add the bending energy computed from edge lengths and angles, in the same way for every method; up to three more shapes are computed for each time')}
-${line('  --fit-timing whole|off', 'complete, measure: fit --earlier and --swing to the animation from which the keys are taken, and print the error on frames that the fit has not seen; default: off')}
+${line('  --fit-timing N|off', 'complete, measure: fit the timing of N regions (1 or whole: one timing for all; 16 are usual) to the animation from which the keys are taken, and print the error on frames that the fit has not seen; default: off')}
 ${line('  --overwrite', 'let --output and --report replace an input. Never replaced are files that an input refers to, nor files beside the output that shapespline did not write or that have changed since')}
 ${line('  --report R.json', 'complete: write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}

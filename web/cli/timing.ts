@@ -3,15 +3,15 @@ import type { Engine, Keys, Shape } from '../engine/api/api.ts';
 import { OWN_METHOD } from '../engine/api/methods.ts';
 import { motionOf } from '../engine/api/options.ts';
 import type { ImportOptions, InputFile, MotionOptions, SequenceOptions } from '../engine/api/types.ts';
-import { fitTiming, type TimingFit } from '../study/timing-fit.ts';
+import { MAX_REGIONS } from '../engine/api/option-table.ts';
+import { fitTiming, type TimingFit, type Timings } from '../study/timing-fit.ts';
 import { UsageError, type Arguments } from './arguments.ts';
 import { readReference } from './reference-animation.ts';
-import { oneOf } from './values.ts';
 
 const FLAG = '--fit-timing';
 
 /** What the command has read. */
-interface Source {
+export interface Source {
   engine: Engine;
   keys: Keys;
   inputs: InputFile[];
@@ -19,19 +19,27 @@ interface Source {
 }
 
 export interface FittedTiming {
-  options: Pick<MotionOptions, 'earlier' | 'swing'>;
+  options: Timings;
   /** The errors, as part of a sentence. */
   text: string;
 }
 
-/** Whether timing is to be fitted. Refuses options that exclude it, before any file is read. */
-export function fitsTiming(args: Arguments): boolean {
-  const value = args.values.get('fit-timing');
-  if (value === undefined || oneOf('whole', '1', 'off')(value, FLAG) === 'off') return false;
+/**
+ * The number of regions whose timing is to be fitted; 0 for none. Refuses options that exclude it, before any file is
+ * read.
+ */
+export function fittedRegions(args: Arguments): number {
+  const value = args.values.get('fit-timing') ?? 'off';
+  const count = value === 'off' ? 0 : value === 'whole' ? 1 : Number(value);
+  if (!/^(off|whole|\d+)$/.test(value) || count > MAX_REGIONS || value === '0')
+    throw new UsageError(
+      `${FLAG} requires whole, off, or a number of regions from 1 to ${MAX_REGIONS}, not '${value}'`,
+    );
+  if (count === 0) return 0;
   for (const other of ['earlier', 'swing', 'key-times', 'every-frame'])
     if (args.values.has(other) || args.flags.has(other))
       throw new UsageError(`${FLAG} and --${other} exclude each other`);
-  return true;
+  return count;
 }
 
 /** `shape`: the keys, encoded. */
@@ -39,6 +47,7 @@ export async function fittedTiming(
   { engine, keys, inputs, imported }: Source,
   shape: Shape,
   options: SequenceOptions,
+  regions: number,
 ): Promise<FittedTiming> {
   if (options.method !== OWN_METHOD || options.keepLengths > 0)
     throw new UsageError(`${FLAG} requires --method ${OWN_METHOD}, without --keep-lengths`);
@@ -48,20 +57,20 @@ export async function fittedTiming(
   try {
     // Holding and pins move the shapes after the spline, and the travel belongs to the animation.
     const plain: MotionOptions = { ...motionOf(options), hold: 'off', pins: [], inPlace: false };
-    const fit = await fitTiming({ shape, options: plain, animation }, keys.info.times);
+    const fit = await fitTiming({ engine, keys, shape, options: plain, animation }, keys.info.times, regions);
     if (!fit)
       throw new UsageError(`${FLAG}: the animation has no frames between the keys. Take fewer keys (see --sample)`);
-    return { options: { earlier: fit.earlier, swing: fit.swing }, text: textOf(fit) };
+    return { options: fit.timings, text: textOf(fit) };
   } finally {
     animation.dispose();
   }
 }
 
-function textOf({ earlier, unseen }: TimingFit): string {
+function textOf({ timings, unseen }: TimingFit): string {
   if (!unseen) return 'timing fitted to every frame between the keys';
   const [before, after] = [unseen.before, unseen.after].map((error) => `${Number(error.toPrecision(3))} %`);
   const where = `on ${unseen.frames} ${unseen.frames === 1 ? 'frame' : 'frames'} between the keys`;
-  return earlier.length === 0
+  return timings.regions.length === 0
     ? `timing not fitted, because it raised the KG error from ${before} to ${after} ${where} that it was not fitted to`
     : `timing fitted: KG error ${before} without it, ${after} with a fit to the other half, ${where}`;
 }

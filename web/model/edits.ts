@@ -8,20 +8,30 @@ import { DEFAULT_SPEED, SPEED_NAME, TANGENT_NAME } from './speeds.ts';
 import { referenceKey } from './state.ts';
 import { SAME_TIME, clamp } from './time-scale.ts';
 import type { Timing } from './timing-presets.ts';
+import { regionsOfKeys, reversedRegions } from './timing-regions.ts';
 
 /** Moves a key in the order. Times stay in place; shapes move. */
 export function moveKey(doc: Doc, from: number, to: number): Doc {
   const target = clamp(to, 0, doc.keys.length - 1);
   if (from === target || !doc.keys[from]) return doc;
-  const keys = [...doc.keys];
-  keys.splice(target, 0, ...keys.splice(from, 1));
-  return { ...doc, keys: keys.map((key, index) => ({ ...key, time: doc.keys[index]!.time })) };
+  const order = [...doc.keys.keys()];
+  order.splice(target, 0, ...order.splice(from, 1));
+  return ordered(
+    doc,
+    order.map((key, index) => ({ ...doc.keys[key]!, time: doc.keys[index]!.time })),
+    order,
+  );
 }
 
 /** A motion needs two keys, so the last two stay. */
 export function removeKey(doc: Doc, index: number): Doc {
   if (doc.keys.length <= 2 || !doc.keys[index]) return doc;
-  return { ...doc, keys: doc.keys.filter((_, other) => other !== index) };
+  const left = [...doc.keys.keys()].filter((other) => other !== index);
+  return ordered(
+    doc,
+    left.map((key) => doc.keys[key]!),
+    left,
+  );
 }
 
 /** Changes a key's time and, if it passes a neighbour, its order. Refuses the time of another key and invalid times. */
@@ -34,7 +44,7 @@ export function retimeKey(doc: Doc, index: number, time: number): Doc {
     doc.keys.some((other, at) => at !== index && other.time === time)
   )
     return doc;
-  return sorted(withKey(doc, index, { time }));
+  return sorted(doc, withKey(doc, index, { time }).keys);
 }
 
 export function renameKey(doc: Doc, index: number, name: string): Doc {
@@ -47,7 +57,7 @@ export function addKey(doc: Doc, key: Omit<KeyRef, 'shaping'>): Doc {
   if (doc.keys.some((other) => other.time === key.time)) return doc;
   const before = doc.keys.findLastIndex(({ time }) => time < key.time);
   const plain = reshaped(doc, before < 0 ? doc.keys.length - 1 : before, withPlainInterval);
-  return sorted({ ...plain, keys: [...plain.keys, { ...key, shaping: DEFAULT_SHAPING }] });
+  return sorted(plain, [...plain.keys, { ...key, shaping: DEFAULT_SHAPING }]);
 }
 
 /** Position for new keys: before the key of this number, or at this time. */
@@ -131,6 +141,7 @@ export function reverseMotion(doc: Doc): Doc {
       ...motion,
       startSpeed: motion.endSpeed,
       endSpeed: motion.startSpeed,
+      regions: reversedRegions(motion.regions),
       pins: motion.pins.map((pin) => (pin.path ? { ...pin, path: mirrored(pin.path) } : pin)),
     },
     encoding: {
@@ -178,8 +189,21 @@ function withKey(doc: Doc, index: number, change: Partial<KeyRef>): Doc {
   return { ...doc, keys: doc.keys.map((key, at) => (at === index ? { ...key, ...change } : key)) };
 }
 
-function sorted(doc: Doc): Doc {
-  return { ...doc, keys: [...doc.keys].sort((a, b) => a.time - b.time) };
+/** `keys`: those of the document in order, possibly followed by a new one. */
+function sorted(doc: Doc, keys: readonly KeyRef[]): Doc {
+  const order = [...keys.keys()].sort((a, b) => keys[a]!.time - keys[b]!.time);
+  return ordered(
+    doc,
+    order.map((key) => keys[key]!),
+    order.map((key) => (key < doc.keys.length ? key : null)),
+  );
+}
+
+/** `from`: the former number of each key; null for a new one. */
+function ordered(doc: Doc, keys: KeyRef[], from: readonly (number | null)[]): Doc {
+  const { regions } = doc.motion;
+  if (regions.length === 0) return { ...doc, keys };
+  return { ...doc, keys, motion: { ...doc.motion, regions: regionsOfKeys(regions, from) } };
 }
 
 function changed<T extends object>(before: T, change: Partial<T>): boolean {

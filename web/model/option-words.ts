@@ -57,6 +57,7 @@ export const OPTION_WORDS: Readonly<Record<WordedOption, OptionWords>> = {
     excludes: HELD,
   },
   pins: { label: 'Pins', excludes: HELD },
+  regions: { label: 'Regions', excludes: 'Not with regions that have timings of their own.' },
   boundary: {
     label: 'Ends',
     choices: {

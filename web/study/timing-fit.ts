@@ -1,9 +1,14 @@
 /**
- * Fits the timing of each interval (options `earlier` and `swing`) to the animation from which the keys were taken: one
- * step of least squares over frames between the keys, with derivatives by differences of shapes.
+ * Fits the timing of each interval (options `earlier` and `swing`) to the animation from which the keys were taken: for
+ * the whole shape or for regions, and for the mean position. One step of least squares over frames between the keys,
+ * with derivatives by differences of shapes.
  */
-import type { CallOptions, MotionChange, Shape } from '../engine/api/api.ts';
+import type { CallOptions, Engine, Keys, Motion, MotionChange, Shape } from '../engine/api/api.ts';
+import type { TimingRegion } from '../engine/api/types.ts';
 import { KgError } from './kg-error.ts';
+import { mergedPatches } from './merged-patches.ts';
+import { NormalEquations } from './normal-equations.ts';
+import { smallShape, type SmallShape } from './small-shape.ts';
 
 /** Frames of an animation on the timeline of the keys. */
 export interface TimedFrames {
@@ -12,10 +17,16 @@ export interface TimedFrames {
   frame(index: number): Float32Array;
 }
 
-export interface TimingFit {
-  /** One number per key; empty if no timing lowers the error. */
+/** Timings as options of a motion. */
+export interface Timings {
   earlier: number[];
   swing: number[];
+  regions: TimingRegion[];
+}
+
+export interface TimingFit {
+  /** Empty lists if no timing lowers the error. */
+  timings: Timings;
   /**
    * KG errors in percent without and with timing, on this number of frames that a fit to the other frames has not seen;
    * null if every interval has at most one frame.
@@ -23,54 +34,65 @@ export interface TimingFit {
   unseen: { frames: number; before: number; after: number } | null;
 }
 
-type Name = 'earlier' | 'swing';
-type Numbers = Record<Name, number[]>;
-
-/** A number to fit: of the interval after this key. */
-interface Unknown {
-  name: Name;
-  key: number;
-}
-
-/** Largest sizes of the numbers. At most .35, the speed along the curve stays above a tenth. */
-const BOUNDS: Record<Name, number> = { earlier: 0.35, swing: 1.5 };
-const MAX_FRAMES = 4;
-const MAX_VERTICES = 2000;
-const RIDGE = 0.02;
-/** Step of the differences. Shapes in single precision are too coarse for a much smaller one. */
-const STEP = 0.01;
-const DIGITS = 1000;
-const AT_ONCE = 16;
-
-/** A motion to fit: a shape, and options without timing. */
-interface Fitted {
+/** A motion to fit: a shape and its keys, options without timing, and the animation. */
+export interface Fitted {
+  engine: Engine;
+  keys: Keys;
   shape: Shape;
   options: MotionChange;
   animation: TimedFrames;
 }
 
-/** Returns null if the animation has no frame between the keys. `keys`: their times. */
+const NAMES = ['earlier', 'swing'] as const;
+/** Largest sizes of the numbers. At most .35, the speed along the curve stays above a tenth. */
+const BOUNDS = { earlier: 0.35, swing: 1.5 };
+const MAX_FRAMES = 4;
+const RIDGE = 0.02;
+/** Step of the differences. Shapes in single precision are too coarse for a much smaller one. */
+const STEP = 0.01;
+const DIGITS = 1000;
+const AT_ONCE = 16;
+const NO_TIMINGS: Timings = { earlier: [], swing: [], regions: [] };
+
+/**
+ * Returns null if the animation has no frame between the keys. `times`: of the keys. `regions`: largest number of
+ * regions; with 1, the whole shape has one timing.
+ */
 export async function fitTiming(
   fitted: Fitted,
-  keys: readonly number[],
+  times: readonly number[],
+  regions: number,
   { signal, onProgress }: CallOptions = {},
 ): Promise<TimingFit | null> {
-  const between = framesBetween(keys, fitted.animation.times);
+  const between = framesBetween(times, fitted.animation.times);
   if (between.flat().length === 0) return null;
-  const halves = [0, 1].map((half) => between.map((frames) => frames.filter((_, i) => i % 2 === half)));
-  const unseen = halves[1]!.flat();
-  const progress =
-    (from: number, to: number) =>
-    (fraction: number): void => {
-      signal?.throwIfAborted();
-      onProgress?.({ stage: 'fitting the timing', fraction: from + (to - from) * fraction });
-    };
-  if (unseen.length === 0) return { ...(await fitTo(fitted, between, progress(0, 1))), unseen: null };
-  const half = await fitTo(fitted, halves[0]!, progress(0, 0.45));
-  const [before, after] = [await errorOf(fitted, unseen, {}), await errorOf(fitted, unseen, half)];
-  const tried = { frames: unseen.length, before, after };
-  if (after >= before) return { earlier: [], swing: [], unseen: tried };
-  return { ...(await fitTo(fitted, between, progress(0.5, 1))), unseen: tried };
+  const report = (fraction: number): void => {
+    signal?.throwIfAborted();
+    onProgress?.({ stage: 'fitting the timing', fraction });
+  };
+  report(0);
+  const plain = await fitted.shape.motion({ ...fitted.options, keyTimes: [...times], ...NO_TIMINGS });
+  const regionOf = regions > 1 ? await mergedPatches(plain, fitted.keys, regions) : null;
+  plain.dispose();
+  report(0.05);
+  const small = await smallShape(fitted.engine, fitted.keys, fitted.shape.options, regionOf);
+  try {
+    const halves = await equationsOf(fitted, small, times, between.map(spread), (done) => report(0.1 + 0.8 * done));
+    const timingsFrom = (equations: NormalEquations): Timings => timingsOf(equations, regionOf, times.length);
+    const all = timingsFrom(halves[0].equations.plus(halves[1].equations));
+    const seen = new Set(halves[0].frames);
+    const unseen = between.flat().filter((frame) => !seen.has(frame));
+    if (unseen.length === 0) return { timings: all, unseen: null };
+    const half = timingsFrom(halves[0].equations);
+    const [before, after] = [
+      await errorOf(fitted, times, unseen, NO_TIMINGS),
+      await errorOf(fitted, times, unseen, half),
+    ];
+    report(1);
+    return { timings: after < before ? all : NO_TIMINGS, unseen: { frames: unseen.length, before, after } };
+  } finally {
+    small.dispose();
+  }
 }
 
 /** The frames strictly between two neighbouring keys, for each interval. */
@@ -87,106 +109,173 @@ const spread = (frames: number[]): number[] => {
   return Array.from({ length: count }, (_, i) => frames[Math.floor(((i + 0.5) * frames.length) / count)]!);
 };
 
-async function fitTo(fitted: Fitted, between: number[][], done: (fraction: number) => void): Promise<Numbers> {
-  const frames = between.map(spread);
-  const plain = await shapesAt(fitted, frames.flat(), {});
-  const missing = new Map<number, Float32Array>();
-  for (const [frame, shape] of plain) missing.set(frame, minus(thinned(fitted.animation.frame(frame)), shape));
-  const unknowns = frames.flatMap((_, key) => (['earlier', 'swing'] as const).map((name): Unknown => ({ name, key })));
-  const columns: Map<number, Float32Array>[] = [];
-  for (const { name, key } of unknowns) {
-    const near = frames.slice(Math.max(key - 1, 0), key + 2).flat();
-    const unit = (value: number): Partial<Numbers> => ({
-      [name]: Array.from({ length: between.length + 1 }, (_, i) => (i === key ? value : 0)),
-    });
-    const after = await shapesAt(fitted, near, unit(STEP));
-    const before = await shapesAt(fitted, near, unit(-STEP));
-    columns.push(new Map(near.map((frame) => [frame, minus(after.get(frame)!, before.get(frame)!, 2 * STEP)])));
-    done(columns.length / unknowns.length);
-  }
-  const normal = columns.map((one) => columns.map((other) => product(one, other)));
-  const mean = normal.reduce((sum, row, i) => sum + row[i]!, 0) / normal.length;
-  normal.forEach((row, i) => (row[i]! += 2 * RIDGE * mean));
-  const found = boundedMinimum(
-    normal,
-    columns.map((column) => product(column, missing)),
-    unknowns.map(({ name }) => BOUNDS[name]),
-  );
-  const listOf = (wanted: Name): number[] => {
-    const values = found.filter((_, i) => unknowns[i]!.name === wanted);
-    return [...values, 0].map((value) => Math.round(DIGITS * value) / DIGITS + 0);
-  };
-  return { earlier: listOf('earlier'), swing: listOf('swing') };
+/** A motion with one number per third interval, of one part: a region, or the position. */
+interface Probe {
+  name: (typeof NAMES)[number];
+  part: number;
+  /** Remainder of the intervals by three. */
+  group: number;
+  ahead: Motion;
+  behind: Motion;
 }
 
-/** Calls `use` with each frame's positions in the motion with this timing. */
-async function eachShape(
-  { shape, options, animation: { times } }: Fitted,
-  frames: number[],
-  numbers: Partial<Numbers>,
-  use: (frame: number, positions: Float32Array) => void,
-): Promise<void> {
-  const motion = await shape.motion({ ...options, ...numbers });
+interface Half {
+  equations: NormalEquations;
+  frames: number[];
+}
+
+/**
+ * The equations of every second frame, and of the others. Unknowns of an interval: both numbers of each part, the
+ * position last. A number has no effect beyond the neighbouring intervals, so one motion probes every third interval.
+ */
+async function equationsOf(
+  { options, animation }: Fitted,
+  small: SmallShape,
+  times: readonly number[],
+  frames: readonly number[][],
+  done: (fraction: number) => void,
+): Promise<[Half, Half]> {
+  const intervals = times.length - 1;
+  const parts = small.regions.length + 1;
+  const made: Motion[] = [];
+  const motionWith = async (timings: Timings): Promise<Motion> => {
+    const motion = await small.shape.motion({ ...options, keyTimes: [...times], ...timings });
+    made.push(motion);
+    return motion;
+  };
+  const halves: [Half, Half] = [0, 1].map(() => ({
+    equations: new NormalEquations(intervals, 2 * parts),
+    frames: [] as number[],
+  })) as never;
   try {
-    for (let start = 0; start < frames.length; start += AT_ONCE) {
-      const some = frames.slice(start, start + AT_ONCE);
-      const shown = await motion.evaluateMany(some.map((frame) => times[frame]!));
-      shown.forEach((one, i) => {
-        use(some[i]!, one.positions);
-        one.release();
+    const plain = await motionWith(NO_TIMINGS);
+    const probes: Probe[] = [];
+    for (let group = 0; group < Math.min(3, intervals); group += 1)
+      for (let part = 0; part < parts; part += 1)
+        for (const name of NAMES) {
+          const at = (value: number): Promise<Motion> =>
+            motionWith(probing(small.regions, part, name, times.length, group, value));
+          probes.push({ name, part, group, ahead: await at(STEP), behind: await at(-STEP) });
+          done((0.3 * probes.length) / (6 * parts));
+        }
+    for (const [interval, some] of frames.entries()) {
+      await addInterval(interval, some);
+      done(0.3 + (0.7 * (interval + 1)) / intervals);
+    }
+    async function addInterval(interval: number, some: readonly number[]): Promise<void> {
+      const at = some.map((frame) => animation.times[frame]!);
+      const shown = await shapes(plain, at);
+      const columns: Float32Array[][] = [];
+      const unknowns: number[] = [];
+      for (const { name, part, group, ahead, behind } of probes) {
+        const near = [interval - 1, interval, interval + 1].find((one) => one % 3 === group);
+        if (near === undefined || near < 0 || near >= intervals) continue;
+        const [after, before] = await Promise.all([shapes(ahead, at), shapes(behind, at)]);
+        unknowns.push(near * 2 * parts + 2 * part + NAMES.indexOf(name));
+        columns.push(after.map((one, i) => minus(one, before[i]!, 2 * STEP)));
+        done(0.3 + (0.7 * interval) / intervals);
+      }
+      some.forEach((frame, i) => {
+        const half = halves[i % 2]!;
+        half.frames.push(frame);
+        const wanted = minus(small.verticesOf(animation.frame(frame)), shown[i]!);
+        half.equations.add(
+          unknowns,
+          columns.map((one) => one[i]!),
+          wanted,
+        );
       });
     }
   } finally {
-    motion.dispose();
+    for (const motion of made) motion.dispose();
   }
+  return halves;
 }
 
-/** Some of the vertices of the motion's shapes at these frames. */
-async function shapesAt(
-  fitted: Fitted,
-  frames: number[],
-  numbers: Partial<Numbers>,
-): Promise<Map<number, Float32Array>> {
-  const shapes = new Map<number, Float32Array>();
-  await eachShape(fitted, frames, numbers, (frame, positions) => shapes.set(frame, thinned(positions)));
-  return shapes;
+/** Timings with a number in every third interval of one part. */
+function probing(
+  regions: readonly number[][],
+  part: number,
+  name: 'earlier' | 'swing',
+  keys: number,
+  group: number,
+  value: number,
+): Timings {
+  const numbers = Array.from({ length: keys }, (_, key) => (key % 3 === group && key < keys - 1 ? value : 0));
+  const timing = { earlier: [], swing: [], [name]: numbers };
+  const faces = regions[part];
+  return { ...NO_TIMINGS, regions: [{ faces: faces ?? [], ...timing, soft: false }] };
 }
 
-function thinned(positions: Float32Array): Float32Array {
-  const vertices = positions.length / 3;
-  const every = Math.max(Math.ceil(vertices / MAX_VERTICES), 1);
-  return positions.filter((_, i) => Math.floor(i / 3) % every === 0);
+/** The options from the solution. Without regions, the one part before the position is the whole. */
+function timingsOf(equations: NormalEquations, regionOf: Int32Array | null, keys: number): Timings {
+  const { size } = equations;
+  const x = equations.solve(
+    RIDGE,
+    (unknown) => Math.floor((unknown % size) / 2),
+    (unknown) => BOUNDS[NAMES[unknown % 2]!],
+  );
+  const timingOf = (part: number): Pick<TimingRegion, 'earlier' | 'swing'> => {
+    const [earlier, swing] = NAMES.map((_, number) =>
+      Array.from({ length: keys }, (_, key) =>
+        key === keys - 1 ? 0 : Math.round(DIGITS * x[key * size + 2 * part + number]!) / DIGITS + 0,
+      ),
+    );
+    return { earlier: earlier!, swing: swing! };
+  };
+  const parts = size / 2;
+  const position: TimingRegion = { faces: [], ...timingOf(parts - 1), soft: false };
+  if (!regionOf) return { ...timingOf(0), regions: [position] };
+  const regions = runsOf(regionOf).map((faces, part) => ({ faces, ...timingOf(part), soft: false }));
+  return { earlier: [], swing: [], regions: [...regions, position] };
+}
+
+/** For each region, its runs of faces. */
+export function runsOf(regionOf: Int32Array): number[][] {
+  const runs: number[][] = [];
+  let before = -1;
+  regionOf.forEach((region, face) => {
+    if (region >= 0) {
+      runs[region] ??= [];
+      const own = runs[region];
+      if (region === before) own[own.length - 1]! += 1;
+      else own.push(face, 1);
+    }
+    before = region;
+  });
+  return runs;
+}
+
+async function shapes(motion: Motion, times: number[]): Promise<Float32Array[]> {
+  const frames = await motion.evaluateMany(times);
+  return frames.map((frame) => {
+    const positions = frame.positions.slice();
+    frame.release();
+    return positions;
+  });
 }
 
 const minus = (a: Float32Array, b: Float32Array, over = 1): Float32Array => a.map((value, i) => (value - b[i]!) / over);
 
-/** Inner product over the frames of both. */
-function product(a: ReadonlyMap<number, Float32Array>, b: ReadonlyMap<number, Float32Array>): number {
-  let sum = 0;
-  for (const [frame, values] of a) {
-    const others = b.get(frame);
-    if (others) for (let i = 0; i < values.length; i += 1) sum += values[i]! * others[i]!;
-  }
-  return sum;
-}
-
-/** Minimises x N x / 2 - g x with |x| within bounds, one unknown after the other. N: symmetric, positive definite. */
-function boundedMinimum(normal: number[][], rhs: number[], bounds: number[]): number[] {
-  const x = rhs.map(() => 0);
-  for (let round = 0, change = 1; round < 2000 && change > 1e-7; round += 1) {
-    change = 0;
-    normal.forEach((row, i) => {
-      const rest = row.reduce((sum, value, j) => (j === i ? sum : sum - value * x[j]!), rhs[i]!);
-      const next = Math.min(Math.max(rest / row[i]!, -bounds[i]!), bounds[i]!);
-      change = Math.max(change, Math.abs(next - x[i]!));
-      x[i] = next;
-    });
-  }
-  return x;
-}
-
-async function errorOf(fitted: Fitted, frames: number[], numbers: Partial<Numbers>): Promise<number> {
+async function errorOf(
+  { shape, options, animation }: Fitted,
+  keyTimes: readonly number[],
+  frames: readonly number[],
+  timings: Timings,
+): Promise<number> {
+  const motion = await shape.motion({ ...options, keyTimes: [...keyTimes], ...timings });
   const error = new KgError();
-  await eachShape(fitted, frames, numbers, (frame, positions) => error.add(fitted.animation.frame(frame), positions));
+  try {
+    for (let start = 0; start < frames.length; start += AT_ONCE) {
+      const some = frames.slice(start, start + AT_ONCE);
+      const shown = await shapes(
+        motion,
+        some.map((frame) => animation.times[frame]!),
+      );
+      shown.forEach((positions, i) => error.add(animation.frame(some[i]!), positions));
+    }
+  } finally {
+    motion.dispose();
+  }
   return error.percent;
 }

@@ -2,11 +2,14 @@
  * Keys from an animation: which animation, their number or an error bound, and their times. Choices take effect
  * immediately.
  */
+import { OWN_METHOD } from '../engine/api/methods.ts';
 import { SAMPLED_KEYS } from '../engine/api/option-table.ts';
 import type { AnimationInfo, KeysInfo } from '../engine/api/types.ts';
 import type { Span } from '../model/sample-times.ts';
 import { areSampled, evenTimes, readTimes, sameTimes, shortTime } from '../model/sample-times.ts';
-import { checkbox, select } from './controls.ts';
+import { fitKey, isTimed, type TimingResult } from '../model/fitted-timing.ts';
+import type { Doc } from '../model/state.ts';
+import { button, checkbox, select } from './controls.ts';
 import type { Component, Fields } from './dom.ts';
 import { h, memo, say, setField, setHidden, setText } from './dom.ts';
 import { createSampleTrack } from './sample-track.ts';
@@ -24,6 +27,9 @@ export interface SamplingProps {
   fewest: { keys: number; percent: number } | null;
   /** The animation is shown beside the motion. */
   original: boolean;
+  /** Result of the last fit of the timing. */
+  timing: TimingResult | null;
+  doc: Doc;
 }
 
 export interface SamplingEvents {
@@ -34,11 +40,15 @@ export interface SamplingEvents {
    */
   onFewest(animation: number, percent: number): Promise<void>;
   onOriginal(shown: boolean): void;
+  /** Fits the timing to this animation; resolves at its end. */
+  onFit(animation: number): Promise<void>;
+  /** Removes all timing. */
+  onPlain(): void;
 }
 
 export type Sampling = Component<SamplingProps>;
 
-export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents): Sampling {
+export function createSampling({ onTake, onFewest, onOriginal, onFit, onPlain }: SamplingEvents): Sampling {
   let animations: readonly AnimationInfo[] = [];
   let chosen = 0;
   let times: number[] = [];
@@ -72,6 +82,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   });
   const found = h('p', { class: 'hint', role: 'status', 'data-testid': 'sample-found', hidden: true });
   const original = checkbox('Show the animation beside the motion', 'sample-original', onOriginal);
+  const timing = createTimingFit(() => onFit(chosen), onPlain);
   const track = createSampleTrack(choose, takeSoon);
   const list = createTimesList(span, takeSoon);
   const title = h('strong', {}, '');
@@ -83,6 +94,7 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
     ...mode.elements,
     found,
     original.element,
+    ...timing.elements,
     h(
       'details',
       { class: 'details' },
@@ -111,13 +123,53 @@ export function createSampling({ onTake, onFewest, onOriginal }: SamplingEvents)
   });
   return {
     element,
-    update({ info, fewest, original: shown }) {
+    update({ info, fewest, original: shown, timing: fitted, doc }) {
       read({ info });
       mode.update(taken, fewest !== null && !soon.waits());
       say(found, fewest ? foundText(fewest) : coarseText(span(), taken ? times.length : Infinity));
       original.update(shown);
+      timing.update({ timing: fitted, doc, canFit: taken && doc.motion.method === OWN_METHOD });
     },
   };
+}
+
+/** Fits the timing between the keys to the animation. */
+function createTimingFit(onFit: () => Promise<void>, onPlain: () => void) {
+  const hint = 'Lets the parts of the shape move between the keys when they do in the animation';
+  const fit = button({
+    label: hint,
+    text: 'Fit timing',
+    testId: 'fit-timing',
+    onClick: () => {
+      fit.disabled = true;
+      void onFit().finally(() => (fit.disabled = false));
+    },
+  });
+  const plain = button({ label: 'Remove all timing', text: 'Remove', testId: 'plain-timing', onClick: onPlain });
+  const row = h('div', { class: 'button-row' }, fit, plain);
+  const said = h('p', { class: 'hint', role: 'status', 'data-testid': 'fit-timing-result', hidden: true });
+  return {
+    elements: [row, said],
+    update({ timing, doc, canFit }: Pick<SamplingProps, 'timing' | 'doc'> & { canFit: boolean }): void {
+      const timed = isTimed(doc);
+      setHidden(row, !canFit && !timed);
+      setHidden(fit, !canFit);
+      setHidden(plain, !timed);
+      const stale = timing !== null && timed && timing.key !== fitKey(doc);
+      setText(fit, stale ? 'Fit again' : 'Fit timing');
+      say(said, !timing ? '' : stale ? STALE : fittedText(timing, timed));
+    },
+  };
+}
+
+const STALE = 'Keys, times or options have changed since the timing was fitted.';
+
+function fittedText({ unseen }: TimingResult, timed: boolean): string {
+  if (!unseen) return timed ? 'Timing fitted to every frame between the keys.' : '';
+  const [before, after] = [unseen.before, unseen.after].map((error) => `${Number(error.toPrecision(3))} %`);
+  const where = `on ${unseen.frames} frames that a fit to the others has not seen`;
+  if (timed) return `Timing fitted. Error ${before} before, ${after} after, ${where}.`;
+  return unseen.after < unseen.before ? '' : `Not used: the error would rise from ${before} to ${after} ${where}.`;
 }
 
 /** Runs after a delay since the last start. */

@@ -11,16 +11,18 @@ import {
   sequenceOptions,
   withProject,
 } from '../../../web/cli/settings.ts';
-import { fitsTiming } from '../../../web/cli/timing.ts';
+import { fittedRegions } from '../../../web/cli/timing.ts';
 
 const parse = (...words: string[]) => parseArguments(words, COMPLETE);
 
 it('timing is fitted or given, for keys at the times of their animation', () => {
-  expect(['whole', '1', 'off'].map((value) => fitsTiming(parse(`--fit-timing=${value}`)))).toEqual([true, true, false]);
-  expect(fitsTiming(parse('--swing=1,0'))).toBe(false);
+  const regions = ['whole', '1', '16', 'off'].map((value) => fittedRegions(parse(`--fit-timing=${value}`)));
+  expect(regions).toEqual([1, 1, 16, 0]);
+  expect(fittedRegions(parse('--swing=1,0'))).toBe(0);
   for (const word of ['--earlier=0.1,0', '--swing=1,0', '--key-times=0,1', '--every-frame'])
-    expect(() => fitsTiming(parse('--fit-timing=whole', word))).toThrow(/exclude each other/);
-  expect(() => fitsTiming(parse('--fit-timing=16'))).toThrow(UsageError);
+    expect(() => fittedRegions(parse('--fit-timing=whole', word))).toThrow(/exclude each other/);
+  for (const value of ['0', '65', '2.5', 'all'])
+    expect(() => fittedRegions(parse(`--fit-timing=${value}`))).toThrow(UsageError);
 });
 
 describe('the command line', () => {

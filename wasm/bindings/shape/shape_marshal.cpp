@@ -52,6 +52,10 @@ Pin pinFrom(const Json& json) {
   return pin;
 }
 
+KeyTiming timingFrom(const Json& json) {
+  return {json.at("earlier").get<std::vector<double>>(), json.at("swing").get<std::vector<double>>()};
+}
+
 }  // namespace
 
 Keyframes keyframesFrom(const Json& json) {
@@ -74,8 +78,10 @@ MotionOptions motionFrom(const Json& json) {
   if (!json.at("period").is_null()) motion.period = json.at("period").get<double>();
   motion.tension = json.at("tension").get<std::vector<double>>();
   motion.bias = json.at("bias").get<std::vector<double>>();
-  motion.earlier = json.at("earlier").get<std::vector<double>>();
-  motion.swing = json.at("swing").get<std::vector<double>>();
+  motion.timing = timingFrom(json);
+  for (const Json& region : json.at("regions"))
+    motion.regions.push_back(
+        {region.at("faces").get<std::vector<int>>(), timingFrom(region), region.at("soft").get<bool>()});
   motion.turns = json.at("turns").get<std::vector<AddedTurns>>();
   for (const Json& pin : json.at("pins")) motion.pins.push_back(pinFrom(pin));
   motion.inPlace = json.at("inPlace");

@@ -65,6 +65,9 @@ void GhostMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& 
   patches_.at(point, turns, scratch.patches, scratch.frames);
   reconstructor_.faceRotations(point, scratch.frames, frames.rotation);
   frames.gradient.clear();
+  frames.part.clear();
+  if (!scratch.frames.part.empty())
+    for (const int patch : patches_.poses().ofFace) frames.part.push_back(patch < 0 ? 0 : scratch.frames.part[patch]);
   if (transfer_ == Transfer::Exact) return;
   reconstructor_.reconstruct(point, scratch.frames, scratch.shape, scratch.positions);
   for (int f = 0; f < shape_->faceCount(); ++f)

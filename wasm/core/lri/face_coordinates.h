@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/base/permutation.h"
@@ -22,13 +23,6 @@ inline constexpr int numbersPerFace = 6;
 /// Number of faces per vector register.
 inline constexpr int faceLanes = 4;
 
-/// Index and weight of a stored column.
-template <class Real>
-struct WeightedColumn {
-  int column;
-  Real weight;
-};
-
 /// The end key for a frame beyond the keys, and the columns that store keys.
 struct EndKey {
   int column;      ///< stored column of the end key, or -1 if its faces rest
@@ -40,9 +34,14 @@ struct EndKey {
 /// diagonal of S_f. Beyond the keys, the weights describe the change from the end key.
 template <class Real>
 struct ColumnWeights {
-  std::vector<WeightedColumn<Real>> stored;
-  Real atRest = 0;
+  std::vector<int> stored;
+  /// For each part of a curve: a weight for each column in `stored`, then the contribution at rest, each faceLanes
+  /// times.
+  std::vector<Real> lanes;
+  std::span<const int> partOf;  ///< part of each local frame; empty with one part
   std::optional<EndKey> end;
+
+  const Real* ofPart(int part) const { return &lanes[part * (stored.size() + 1) * faceLanes]; }
 };
 
 /// Six numbers for each face and column in blocks of four faces: [block][column][number][lane]. A frame reads them
@@ -79,15 +78,33 @@ class FaceCoordinates {
   /// The stored columns of four faces.
   const Real* block(int block) const { return data_.data() + static_cast<std::size_t>(block) * blockSize(); }
 
-  ColumnWeights<Real> weights(const PoseWeights& poses) const {
+  ColumnWeights<Real> weights(const PoseWeights& poses) const { return weights(std::span(&poses, 1)); }
+
+  /// partOf: part of each local frame; empty with one part. Beyond the keys, there is one part.
+  [[gnu::noinline]] ColumnWeights<Real> weights(std::span<const PoseWeights> parts,
+                                                std::span<const int> partOf = {}) const {
     ColumnWeights<Real> result;
-    double atRest = 0;
+    result.partOf = partOf;
+    const auto weightOf = [](const PoseWeights& part, int c) { return part.column[c] - (c == part.beyond ? 1 : 0); };
+    const auto add = [&](Real weight) {
+      for (int i = 0; i < faceLanes; ++i) result.lanes.push_back(weight);
+    };
+    std::vector<int> used;
     for (int c = 0; c < columns(); ++c) {
-      const double weight = poses.column[c] - (c == poses.beyond ? 1 : 0);
-      if (storedAs_[c] < 0) atRest += weight;
-      else if (std::abs(weight) >= minWeight<Real>) result.stored.push_back({storedAs_[c], static_cast<Real>(weight)});
+      bool counts = false;
+      for (const PoseWeights& part : parts) counts = counts || std::abs(weightOf(part, c)) >= minWeight<Real>;
+      if (storedAs_[c] < 0 || !counts) continue;
+      used.push_back(c);
+      result.stored.push_back(storedAs_[c]);
     }
-    result.atRest = static_cast<Real>(atRest) * rest_;
+    for (const PoseWeights& part : parts) {
+      for (const int c : used) add(static_cast<Real>(weightOf(part, c)));
+      double atRest = 0;
+      for (int c = 0; c < columns(); ++c)
+        if (storedAs_[c] < 0) atRest += weightOf(part, c);
+      add(static_cast<Real>(atRest) * rest_);
+    }
+    const PoseWeights& poses = parts.front();
     if (poses.beyond < 0) return result;
     EndKey end{storedAs_[poses.beyond], 0, false};
     for (int c = 0; c < poses.keys; ++c) {

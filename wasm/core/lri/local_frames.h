@@ -20,6 +20,7 @@ struct LocalFramePoses {
 struct LocalFrames {
   std::vector<Quaternion> rotation;  ///< one per frame
   std::vector<Mat3> gradient;        ///< gradient per frame if faces follow more than the rotation; else empty
+  std::vector<int> part;             ///< part of the curve that each frame follows (spline.h); empty without parts
 };
 
 }  // namespace shapespline

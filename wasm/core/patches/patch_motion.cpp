@@ -337,8 +337,9 @@ PatchMotion::Disagreement PatchMotion::disagreement(const CurvePoint& point) con
   LocalFrames frames;
   at(point, {}, scratch, frames);
   Disagreement result;
+  const Quaternion periods = turnOfPeriods(point);
   for (std::size_t k = 0; k < scratch.path.size(); ++k)
-    result.ofPatch.push_back(scratch.path[k].angularDistance(frames.rotation[k]));
+    result.ofPatch.push_back((periods * scratch.path[k]).angularDistance(frames.rotation[k]));
   for (std::size_t l = 0; l < scratch.connection.size(); ++l) {
     const auto [from, to, edges] = patches_.graph.links()[l];
     const Quaternion between = frames.rotation[from].conjugate() * frames.rotation[to];
@@ -364,10 +365,34 @@ void PatchMotion::at(const CurvePoint& point, const PatchTurns& turns, Scratch& 
   solver.system.solve(scratch.connection, frameSteps, scratch.turn, frames.rotation);
   own_.at(point, {}, scratch.path);
   Quaternion turn = solver.alignment.at(scratch.path, frames.rotation);
-  if (closing_ && !point.closes) turn = closing_->power(point.basePeriod).rotation * turn;
-  turn = addedTurn(point, turns) * turn;
+  turn = addedTurn(point, turns) * turnOfPeriods(point) * turn;
   for (Quaternion& g : frames.rotation) g = (turn * g).normalized();
   frames.gradient.clear();
+  frames.part.clear();
+  if (point.parts && !point.parts->ofPart.empty()) advanceParts(point, turns, scratch, frames);
+}
+
+Quaternion PatchMotion::turnOfPeriods(const CurvePoint& point) const {
+  return closing_ && !point.closes ? closing_->power(point.basePeriod).rotation : Quaternion::Identity();
+}
+
+// To first order, this equals the rotations from the maps at each part's weights, which differ little from the mean.
+void PatchMotion::advanceParts(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch,
+                               LocalFrames& frames) const {
+  const PatchParts& patches = *point.parts->patches;
+  frames.part = patches.ofPatch;
+  const Quaternion back = (addedTurn(point, turns) * turnOfPeriods(point)).conjugate();
+  for (std::size_t part = 0; part < point.parts->ofPart.size(); ++part) {
+    const CurvePoint& own = point.parts->ofPart[part];
+    const Quaternion whole = addedTurn(own, turns) * turnOfPeriods(own);
+    own_.at(own, {}, scratch.pathOfPart);
+    for (std::size_t k = 0; k < frames.rotation.size(); ++k) {
+      if (patches.ofPatch[k] != static_cast<int>(part) || patches.rotatesWithMean[k]) continue;
+      Quaternion& g = frames.rotation[k];
+      // In the world of the keys: the turn of the whole and of the periods comes last.
+      g = (whole * (back * g) * scratch.path[k].conjugate() * scratch.pathOfPart[k]).normalized();
+    }
+  }
 }
 
 }  // namespace shapespline

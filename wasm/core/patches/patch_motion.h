@@ -24,7 +24,7 @@ struct PatchTurns {
 class PatchMotion {
  public:
   struct Scratch {
-    std::vector<Quaternion> connection, path;
+    std::vector<Quaternion> connection, path, pathOfPart;
     PatchRotationSystem::Scratch turn;
   };
 
@@ -34,10 +34,11 @@ class PatchMotion {
   /// A turn's component refers to a component of the given shape. An empty list gives no turns.
   PatchTurns addedTurns(const WeldedShape& shape, const std::vector<AddedTurns>& turns) const;
 
-  /// The local frames at `point`. At a key, they equal the encoded ones.
+  /// The local frames at `point`. At a key, they equal the encoded ones. Patches in parts with timings of their own
+  /// advance along their own paths from the mean of the parts. The added turns of components keep the mean.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
-  /// Angles at a point of an open curve, in radians.
+  /// Angles at a point without parts, in radians.
   struct Disagreement {
     std::vector<double> ofPatch;  ///< between each patch's rotation and its own path
     double ofLinks = 0;           ///< the largest between a link's rotation and its own; 0 if links form a tree
@@ -86,6 +87,8 @@ class PatchMotion {
   Vec3 meanTurn(int step, const std::vector<Vec3>& increment) const;
   Vec3 turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const;
   Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
+  Quaternion turnOfPeriods(const CurvePoint& point) const;
+  void advanceParts(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   KeySteps steps_;
   std::vector<StepPoses> posesOf_;      // at both ends of each step

@@ -64,16 +64,16 @@ Vector3<Lanes<Real>> loadThree(const Real* number) {
   return {L::load(number), L::load(number + faceLanes), L::load(number + 2 * faceLanes)};
 }
 
-// The six numbers, interpolated at the given weights.
+// The six numbers, interpolated. lanes: a weight of every stored column for each face, then their values at rest.
 template <class Real>
-void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>& passing) {
+void blend(const Real* block, const std::vector<int>& stored, const Real* lanes, Passing<Real>& passing) {
   using L = Lanes<Real>;
-  const L atRest = L::splat(weights.atRest);
+  const L atRest = L::load(lanes + stored.size() * faceLanes);
   Vector3<L> r{L::zero(), L::zero(), L::zero()}, s{atRest, L::zero(), atRest};
   const auto add = [](L& sum, const L& w, const Real* number) { sum = sum + w * L::load(number); };
-  for (const auto& [stored, weight] : weights.stored) {
-    const L w = L::splat(weight);
-    const Real* const column = columnOf(block, stored);
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const L w = L::load(lanes + i * faceLanes);
+    const Real* const column = columnOf(block, stored[i]);
     add(r.x, w, column);
     add(r.y, w, column + faceLanes);
     add(r.z, w, column + 2 * faceLanes);
@@ -83,6 +83,18 @@ void blend(const Real* block, const ColumnWeights<Real>& weights, Passing<Real>&
   }
   store(r, passing.number);
   store(s, passing.number + 3);
+}
+
+// The weights of the four faces of a block. Most blocks lie in one part; others gather their weights in `mixed`.
+template <class Real>
+[[gnu::noinline]] const Real* lanesOfParts(const FaceBlock<Real>& face, const ColumnWeights<Real>& weights,
+                                           std::vector<Real>& mixed) {
+  int part[faceLanes];
+  for (int i = 0; i < faceLanes; ++i) part[i] = weights.partOf[face.frame[i]];
+  if (part[0] == part[1] && part[0] == part[2] && part[0] == part[3]) return weights.ofPart(part[0]);
+  mixed.resize((weights.stored.size() + 1) * faceLanes);
+  for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i] = weights.ofPart(part[i % faceLanes])[i];
+  return mixed.data();
 }
 
 // Symmetric 2x2 matrices, one per lane.
@@ -309,10 +321,13 @@ IndefiniteFaces FaceKernel<Real>::accumulateRange(const FaceRange& range, const 
   IndefiniteFaces found;
   const int end = (range.end + faceLanes - 1) / faceLanes;
   Passing<Real> passing[blocksAtOnce];
+  std::vector<Real> mixed;
   for (int first = range.begin / faceLanes; first < end; first += blocksAtOnce) {
     const FaceBlock<Real>* const block = &blocks_[static_cast<std::size_t>(first)];
     const int count = std::min(blocksAtOnce, end - first);
-    for (int i = 0; i < count; ++i) blend(coordinates.block(first + i), weights, passing[i]);
+    for (int i = 0; i < count; ++i)
+      blend(coordinates.block(first + i), weights.stored,
+            weights.partOf.empty() ? weights.lanes.data() : lanesOfParts(block[i], weights, mixed), passing[i]);
     if (weights.end)
       for (int i = 0; i < count; ++i) goOnFrom(*weights.end, coordinates.block(first + i), stretch_, passing[i]);
     for (int i = 0; i < count; ++i) {
@@ -345,7 +360,7 @@ void FaceKernel<Real>::stretches(const FaceCoordinates<Real>& coordinates, const
   Passing<Real> passing;
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
     const Real* const block = coordinates.block(static_cast<int>(b));
-    blend(block, weights, passing);
+    blend(block, weights.stored, weights.lanes.data(), passing);
     if (weights.end) goOnFrom(*weights.end, block, stretch_, passing);
     if (stretch_ == Stretch::Log) exponentiate(passing);
     std::copy_n(&passing.number[3][0], stretchBlock, &stretch[b * stretchBlock]);

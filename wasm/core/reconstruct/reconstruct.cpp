@@ -94,43 +94,58 @@ Reconstructor<Real>::Reconstructor(const Input& in, LriCoordinates<Real> coordin
 }
 
 template <class Real>
-Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const PoseWeights& weights,
+auto Reconstructor<Real>::weightsAt(const CurvePoint& point, const Turning& turning) const -> FrameWeights {
+  FrameWeights weights{poseWeights(point.position(), shape_->roles()), {}, {}};
+  if (!turning.frames || turning.frames->part.empty()) {
+    weights.parts.push_back(poseWeights(point, shape_->roles()));
+    return weights;
+  }
+  weights.partOf = turning.frames->part;
+  for (const CurvePoint& part : point.parts->ofPart) weights.parts.push_back(poseWeights(part, shape_->roles()));
+  return weights;
+}
+
+template <class Real>
+Quaternion Reconstructor<Real>::faceRotation(int face, int frame, const FrameWeights& weights,
                                              const Turning& turning) const {
   if (turning.faces) return rotationOf(*turning.faces, lri_.face.slot(face));
+  const std::vector<double>& column = weights.of(frame).column;
   Vec3 r = Vec3::Zero();
   for (int c = 0; c < lri_.face.columns(); ++c)
-    if (weights.column[c] != 0) r += weights.column[c] * lri_.face.rotation(face, c);
+    if (column[c] != 0) r += column[c] * lri_.face.rotation(face, c);
   return turning.frames->rotation[frame] * expQuaternion(r);
 }
 
 template <class Real>
 void Reconstructor<Real>::faceRotations(const CurvePoint& point, const LocalFrames& frames,
                                         std::vector<Quaternion>& rotation) const {
-  const PoseWeights w = poseWeights(point, shape_->roles());
+  const FrameWeights w = weightsAt(point, {&frames});
   rotation.resize(shape_->faceCount());
   for (int f = 0; f < shape_->faceCount(); ++f)
     rotation[f] = localFrameOf_[f] >= 0 ? faceRotation(f, localFrameOf_[f], w, {&frames}) : Quaternion::Identity();
 }
 
 template <class Real>
-IndefiniteFaces Reconstructor<Real>::assemble(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
+IndefiniteFaces Reconstructor<Real>::assemble(const FrameWeights& weights, const Turning& turning, Scratch& scratch,
                                               Real* x, ForkJoin* forkJoin) const {
   FaceTurns<Real> turns;
   if (turning.faces) turns.faces = turning.faces->data();
   else turns.frames = matricesOf(*turning.frames, scratch.matrices);
   std::fill_n(x, 4 * static_cast<std::size_t>(poisson_.size()), Real(0));
-  const IndefiniteFaces found = kernel_.accumulate(lri_.face, turns, lri_.face.weights(weights), x, forkJoin);
+  const IndefiniteFaces found =
+      kernel_.accumulate(lri_.face, turns, lri_.face.weights(weights.parts, weights.partOf), x, forkJoin);
   addTornFaces(weights, turning, x);
   return found;
 }
 
 template <class Real>
-void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const {
+void Reconstructor<Real>::addTornFaces(const FrameWeights& weights, const Turning& turning, Real* x) const {
   for (const TornFace& torn : lri_.torn) {
     const Mat3 turn = turning.faces ? faceRotation(torn.anchorFace, torn.frame, weights, turning).toRotationMatrix()
                                     : frameMatrix(*turning.frames, static_cast<std::size_t>(torn.frame));
     const TornFace::Columns& columns = turning.faces ? torn.inAnchor : torn.inFrame;
-    const Vec3 first = turn * blend(columns.first, weights), second = turn * blend(columns.second, weights);
+    const Vec3 first = turn * blend(columns.first, weights.of(torn.frame)),
+               second = turn * blend(columns.second, weights.of(torn.frame));
     const Vec3 corner[] = {first, second, -first - second};
     for (int k = 0; k < 3; ++k) {
       Real* const at = x + 4 * static_cast<std::size_t>(poisson_.slot()[torn.corners[k]]);
@@ -141,8 +156,8 @@ void Reconstructor<Real>::addTornFaces(const PoseWeights& weights, const Turning
 
 // Refinement starts from the key with the largest weight, so a frame depends only on its weights, not on other frames.
 template <class Real>
-void Reconstructor<Real>::startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const {
-  const auto first = weights.column.begin();
+void Reconstructor<Real>::startFromKey(const FrameWeights& weights, Scratch& scratch, Real* x) const {
+  const auto first = weights.parts.front().column.begin();
   const Positions& key = shape_->poses[std::max_element(first, first + shape_->keys) - first];
   scratch.rightHandSide.assign(x, x + 4 * static_cast<std::size_t>(poisson_.size()));
   std::vector<Vec3> pinned(verticesOfComponent_.size(), Vec3::Zero());
@@ -158,7 +173,7 @@ void Reconstructor<Real>::startFromKey(const PoseWeights& weights, Scratch& scra
 }
 
 template <class Real>
-void Reconstructor<Real>::solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const {
+void Reconstructor<Real>::solve(const FrameWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const {
   if constexpr (std::is_same_v<Real, double>) {
     if (precision_ == Precision::Exact) {
       startFromKey(weights, scratch, x);
@@ -183,34 +198,36 @@ Vec3 Reconstructor<Real>::shiftedCentroid(int face, const Scratch& scratch, cons
 
 // Each component keeps its offset in the R_f of its anchor face.
 template <class Real>
-void Reconstructor<Real>::moveComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
+void Reconstructor<Real>::moveComponents(const FrameWeights& weights, const Turning& turning, Scratch& scratch,
                                          const Real* x) const {
   scratch.shift.assign(verticesOfComponent_.size(), Vec3::Zero());
   for (const ComponentJoint& joint : lri_.joints) {
     const Quaternion anchor = faceRotation(joint.anchorFace, joint.anchorFrame, weights, turning);
     const Quaternion contact = faceRotation(joint.contactFace, joint.contactFrame, weights, turning);
-    const Vec3 wanted = shiftedCentroid(joint.anchorFace, scratch, x) + anchor * blend(joint.offset, weights);
+    const Vec3 wanted =
+        shiftedCentroid(joint.anchorFace, scratch, x) + anchor * blend(joint.offset, weights.of(joint.anchorFrame));
     scratch.shift[joint.component] = wanted - (shiftedCentroid(joint.contactFace, scratch, x) + contact * joint.pivot);
   }
 }
 
 template <class Real>
-void Reconstructor<Real>::moveLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch,
+void Reconstructor<Real>::moveLoose(const FrameWeights& weights, const Turning& turning, Scratch& scratch,
                                     const Real* x) const {
   scratch.loose.clear();
   for (const LooseVertex& loose : lri_.loose) {
     const Quaternion anchor = faceRotation(loose.anchorFace, loose.anchorFrame, weights, turning);
-    scratch.loose.push_back(shiftedCentroid(loose.anchorFace, scratch, x) + anchor * blend(loose.offset, weights));
+    scratch.loose.push_back(shiftedCentroid(loose.anchorFace, scratch, x) +
+                            anchor * blend(loose.offset, weights.of(loose.anchorFrame)));
   }
 }
 
 // The translation that moves the mean of all vertices to its position in the coordinates.
 template <class Real>
-Vec3 Reconstructor<Real>::meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const {
+Vec3 Reconstructor<Real>::meanMove(const FrameWeights& weights, const Scratch& scratch, const Real* x) const {
   Vec3 sum = sumOf(x, static_cast<std::size_t>(poisson_.unknowns()));
   for (std::size_t p = 0; p < scratch.shift.size(); ++p) sum += verticesOfComponent_[p] * scratch.shift[p];
   for (const Vec3& p : scratch.loose) sum += p;
-  return blend(lri_.meanPosition, weights) - sum / shape_->vertexCount();
+  return blend(lri_.meanPosition, weights.position) - sum / shape_->vertexCount();
 }
 
 // The solver's slots come first, moved by the shifts of their components. Vertices without a slot follow.
@@ -246,7 +263,7 @@ Reconstruction Reconstructor<Real>::reconstruct(const CurvePoint& point, const T
                                                 PaddedShape<Real>& shape, ForkJoin* forkJoin) const {
   Stopwatch watch;
   Reconstruction result;
-  const PoseWeights w = poseWeights(point, shape_->roles());
+  const FrameWeights w = weightsAt(point, turning);
   shape.xyzp.resize(4 * std::max(static_cast<std::size_t>(poisson_.size()), slotOf_.size()));
   Real* const x = shape.xyzp.data();
   const IndefiniteFaces indefinite = assemble(w, turning, scratch, x, forkJoin);

@@ -95,24 +95,32 @@ class Reconstructor {
  private:
   Reconstructor(const Input& input, LriCoordinates<Real> coordinates, PoissonSystem poisson,
                 const FractionReport& onProgress);
+  // Weights of the poses: for the mean position, and for each part of the curve.
+  struct FrameWeights {
+    PoseWeights position;
+    std::vector<PoseWeights> parts;
+    std::span<const int> partOf;  // of each frame; empty with one part
+    const PoseWeights& of(int frame) const { return parts[partOf.empty() ? 0 : partOf[frame]]; }
+  };
   // Either frames for the faces, or the faces' rotations.
   struct Turning {
     const LocalFrames* frames = nullptr;
     const RotationBlocks<Real>* faces = nullptr;
   };
-  Quaternion faceRotation(int face, int frame, const PoseWeights& weights, const Turning& turning) const;
+  FrameWeights weightsAt(const CurvePoint& point, const Turning& turning) const;
+  Quaternion faceRotation(int face, int frame, const FrameWeights& weights, const Turning& turning) const;
   Reconstruction reconstruct(const CurvePoint& point, const Turning& turning, Scratch& scratch,
                              PaddedShape<Real>& shape, ForkJoin* forkJoin) const;
   // x: (x, y, z, pad) per slot; first the right-hand side, then the solution.
-  IndefiniteFaces assemble(const PoseWeights& weights, const Turning& turning, Scratch& scratch, Real* x,
+  IndefiniteFaces assemble(const FrameWeights& weights, const Turning& turning, Scratch& scratch, Real* x,
                            ForkJoin* forkJoin) const;
-  void solve(const PoseWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
+  void solve(const FrameWeights& weights, Scratch& scratch, Real* x, ForkJoin* forkJoin) const;
   // Adds the divergence of the torn faces' gradients.
-  void addTornFaces(const PoseWeights& weights, const Turning& turning, Real* x) const;
-  void startFromKey(const PoseWeights& weights, Scratch& scratch, Real* x) const;
-  void moveComponents(const PoseWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
-  void moveLoose(const PoseWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
-  Vec3 meanMove(const PoseWeights& weights, const Scratch& scratch, const Real* x) const;
+  void addTornFaces(const FrameWeights& weights, const Turning& turning, Real* x) const;
+  void startFromKey(const FrameWeights& weights, Scratch& scratch, Real* x) const;
+  void moveComponents(const FrameWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
+  void moveLoose(const FrameWeights& weights, const Turning& turning, Scratch& scratch, const Real* x) const;
+  Vec3 meanMove(const FrameWeights& weights, const Scratch& scratch, const Real* x) const;
   void applyShifts(Scratch& scratch, Real* x) const;
   Vec3 shiftedVertex(int v, const Scratch& scratch, const Real* x) const;
   Vec3 shiftedCentroid(int face, const Scratch& scratch, const Real* x) const;

@@ -22,7 +22,8 @@ bool moves(const RigidMotion& motion) { return motion.rotation.w() != 1 || motio
 // welded_: the shape at `point` with frames_.
 void Evaluator::hold(const EncodedShape& encoded, const Motion& motion, double t, const CurvePoint& point) {
   const Vec3 move = motion.loopMove(encoded, point);
-  const Vec3 mean = shapespline::blend(encoded.meanPosition(), poseWeights(point, encoded.shape().roles())) + move;
+  const Vec3 mean =
+      shapespline::blend(encoded.meanPosition(), poseWeights(point.position(), encoded.shape().roles())) + move;
   const bool moved = move != Vec3::Zero();
   if (moved) moveBy(move, welded_);
   const double time = motion.curve().wrap(t).time;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/format.h"
+#include "core/sequence/timing_regions.h"
 #include "core/sequence/torn_warnings.h"
 #include "core/sequence/turn_warnings.h"
 
@@ -52,8 +53,7 @@ CurveOptions curveOptions(const WeldedShape& shape, const MotionOptions& o) {
           .period = o.period,
           .tension = o.tension,
           .bias = o.bias,
-          .earlier = o.earlier,
-          .swing = o.swing};
+          .timing = o.timing};
 }
 
 }  // namespace
@@ -64,13 +64,49 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   if (Status status = validateTimes(keyTimes, shape.keys); !status) return status.error();
   if (Status status = checkTurns(options.turns, shape.keys, encoded.componentCount()); !status) return status.error();
   if (Status status = checkFaceMethod(options); !status) return status.error();
-  Result<Curve> curve = Curve::fit(keyTimes, curveOptions(shape, options));
+  CurveOptions ofCurve = curveOptions(shape, options);
+  std::shared_ptr<PatchParts> parts;
+  if (!options.regions.empty()) {
+    if (options.method != Method::Lri)
+      return Error{ErrorCode::InvalidOption, "Only the method 'lri' supports regions with timings of their own."};
+    auto timings = regionTimings(encoded, options.timing, options.regions);
+    if (!timings) return timings.error();
+    ofCurve.timing = std::move(timings->mean);
+    ofCurve.parts = std::move(timings->parts);
+    parts = std::move(timings->patches);
+  }
+  Result<Curve> curve = Curve::fit(keyTimes, ofCurve);
   if (!curve) return curve.error();
   Motion motion(std::move(*curve), std::move(keyTimes), options);
+  motion.parts_ = std::move(parts);
+  if (motion.parts_) motion.findRotationsOfParts(encoded.lri().patches());
   if (!motion.blendsVertices()) motion.turns_ = encoded.turnsOfPatches(options.turns);
   if (Status status = motion.hold(encoded, before); !status) return status.error();
   motion.collectWarnings(encoded);
   return motion;
+}
+
+// A patch whose path differs from its rotation midway would jump along it.
+void Motion::findRotationsOfParts(const PatchMotion& patches) {
+  constexpr double agrees = std::numbers::pi / 3;
+  parts_->rotatesWithMean.assign(parts_->ofPatch.size(), 0);
+  if (!curve_.isTimed() || curve_.partCount() < 3) return;
+  for (const KeySpan& span : curve_.spans()) {
+    const std::vector<double> angle = patches.disagreement(curve_.at((span.start + span.end) / 2)).ofPatch;
+    for (std::size_t k = 0; k < angle.size(); ++k)
+      if (angle[k] > agrees) parts_->rotatesWithMean[k] = 1;
+  }
+}
+
+CurvePoint Motion::at(double t) const {
+  const double inside = curve_.wrap(t).time;
+  CurvePoint point = curve_.at(inside);
+  if (!parts_ || !curve_.isTimed() || point.beyond >= 0) return point;
+  auto parts = std::make_shared<PartPoints>(PartPoints{curve_.partAt(inside, 0), {}, parts_});
+  if (curve_.partCount() > 2)
+    for (int part = 1; part < curve_.partCount(); ++part) parts->ofPart.push_back(curve_.partAt(inside, part));
+  point.parts = std::move(parts);
+  return point;
 }
 
 Status Motion::hold(const EncodedShape& encoded, const Motion* before) {
@@ -97,8 +133,7 @@ Curve Motion::unshapedCurve(const WeldedShape& shape) const {
   CurveOptions options = curveOptions(shape, options_);
   options.tension.clear();
   options.bias.clear();
-  options.earlier.clear();
-  options.swing.clear();
+  options.timing = {};
   // A curve that fits with values per key also fits without.
   Result<Curve> curve = Curve::fit(times_, options);
   return std::move(*curve);
@@ -161,7 +196,7 @@ Vec3 Motion::loopMove(const EncodedShape& encoded, const CurvePoint& point) cons
   Vec3 move = Vec3::Zero();
   if (!curve_.closesOnLastKey()) return move;
   const std::vector<Vec3>& mean = encoded.meanPosition();
-  for (const KeyWeight& k : point.unrolled)
+  for (const KeyWeight& k : point.position().unrolled)
     if (k.period != 0) move += k.weight * (encoded.shape().closing->power(k.period)(mean[k.key]) - mean[k.key]);
   return move;
 }

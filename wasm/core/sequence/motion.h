@@ -26,6 +26,7 @@ class Motion {
 
   const MotionOptions& options() const { return options_; }
   const std::vector<double>& keyTimes() const { return times_; }
+  /// With regions, the curve with the mean of their timings.
   const Curve& curve() const { return curve_; }
   /// The curve without values per key. shape: the shape of this motion.
   Curve unshapedCurve(const WeldedShape& shape) const;
@@ -37,7 +38,7 @@ class Motion {
   std::pair<double, double> range() const { return {curve_.start(), curve_.end()}; }
 
   /// The point of the curve at any time.
-  CurvePoint at(double t) const { return curve_.at(curve_.wrap(t).time); }
+  CurvePoint at(double t) const;
 
   /// The rigid motion to apply to the reconstructed shape at `t`. point: at(t).
   RigidMotion globalMotion(const EncodedShape& encoded, double t, const CurvePoint& point) const;
@@ -59,6 +60,7 @@ class Motion {
   Motion(Curve curve, std::vector<double> times, const MotionOptions& options)
       : curve_(std::move(curve)), times_(std::move(times)), options_(options) {}
   Status hold(const EncodedShape& encoded, const Motion* before);
+  void findRotationsOfParts(const PatchMotion& patches);
   void collectWarnings(const EncodedShape& encoded);
   void warnOfTurnedLoop(const WeldedShape& shape);
   void warnOfTurnsNotHeld();
@@ -68,6 +70,7 @@ class Motion {
   std::vector<double> times_;
   MotionOptions options_;
   PatchTurns turns_;
+  std::shared_ptr<PatchParts> parts_;  // null without regions
   std::shared_ptr<const HeldMotion> held_;
   std::shared_ptr<const PinnedMotion> pinned_;
   std::vector<Warning> warnings_;

@@ -7,6 +7,7 @@
 #include "core/base/types.h"
 #include "core/hold/held_motion.h"
 #include "core/hold/pin.h"
+#include "core/sequence/timing_region.h"
 #include "core/space/lri_space.h"
 #include "core/spline/rotation_spline.h"
 #include "core/spline/spline.h"
@@ -41,8 +42,8 @@ struct MotionOptions {
   /// Kochanek-Bartels bias: empty, or J values in [-1, 1]. Towards 1, the slope at a key approaches the difference to
   /// the previous key; towards -1, the difference to the next key. An end key uses its only difference.
   std::vector<double> bias;
-  /// Timing of the interval after each key: empty, or J values (spline/interval_timing.h). The last counts in loops.
-  std::vector<double> earlier, swing;
+  KeyTiming timing;                   ///< the last values count in loops
+  std::vector<TimingRegion> regions;  ///< with Method::Lri: parts of the shape with timings of their own
   std::vector<AddedTurns> turns;
   bool hold = false;      ///< keep resting parts in place (hold/); with Method::Lri and three or more keys
   std::vector<Pin> pins;  ///< with Method::Lri

@@ -15,6 +15,11 @@ enum class Closing {
   Extra,    ///< the curve continues from the last key to the first in an additional interval
 };
 
+/// When the curve passes each interval, and how far it swings out (interval_timing.h). No effect if linear.
+struct KeyTiming {
+  std::vector<double> earlier, swing;  ///< empty, or J values: of the interval after the key
+};
+
 struct CurveOptions {
   bool linear = false;  ///< piecewise linear instead of cubic
   BoundaryKind boundary = BoundaryKind::Natural;
@@ -26,8 +31,8 @@ struct CurveOptions {
   // Empty, or J values.
   std::vector<double> tension = {};
   std::vector<double> bias = {};
-  std::vector<double> earlier = {};  ///< of the interval after the key (interval_timing.h); no effect if linear
-  std::vector<double> swing = {};    ///< of the interval after the key
+  KeyTiming timing = {};
+  std::vector<KeyTiming> parts = {};  ///< the curve again for parts of a shape, with timings of their own
 };
 
 }  // namespace shapespline

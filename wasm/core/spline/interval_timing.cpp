@@ -1,7 +1,6 @@
 #include "core/spline/interval_timing.h"
 
 #include <cmath>
-#include <utility>
 
 namespace shapespline {
 
@@ -23,8 +22,7 @@ VectorXd withMiddles(const VectorXd& knots) {
 
 }  // namespace
 
-IntervalTiming::IntervalTiming(const VectorXd& knots, VectorXd earlier, VectorXd swing, const VectorXd& tension)
-    : earlier_(std::move(earlier)), swing_(std::move(swing)) {
+IntervalTiming::IntervalTiming(const VectorXd& knots, const VectorXd& tension) {
   const CurveOptions atRest{.boundary = BoundaryKind::Hermite, .startSpeed = 0, .endSpeed = 0};
   beta_ = KnotSpline::fit(withMiddles(knots), atRest);
   if (tension.isZero(0)) return;
@@ -33,11 +31,13 @@ IntervalTiming::IntervalTiming(const VectorXd& knots, VectorXd earlier, VectorXd
   beta_.scaleSlopes(ofAll, atRest);
 }
 
-void IntervalTiming::addWeights(const KnotSpline& plain, double t, int derivative, Weights& weights) const {
+void IntervalTiming::addWeights(const KnotSpline& plain, const Numbers& numbers, double t, int derivative,
+                                Weights& weights) const {
   Weights beta = Weights::Zero(beta_.times().size() + 2);
   beta_.addWeights(t, derivative, 1, beta);
-  for (Index k = 0; k < earlier_.size(); ++k) {
-    const double a = beta[2 * k + 1] * earlier_[k], b = beta[2 * k + 1] * swing_[k], middle = beta_.times()[2 * k + 1];
+  for (Index k = 0; k < numbers.earlier.size(); ++k) {
+    const double value = beta[2 * k + 1], middle = beta_.times()[2 * k + 1];
+    const double a = value * numbers.earlier[k], b = value * numbers.swing[k];
     if (std::abs(a) > negligibleBeta)
       plain.addWeights(middle, 1, a * (plain.times()[k + 1] - plain.times()[k]), weights);
     if (std::abs(b) <= negligibleBeta) continue;

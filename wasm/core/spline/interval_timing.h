@@ -21,15 +21,18 @@ namespace shapespline {
 /// smooth as w between the first and the last knot.
 class IntervalTiming {
  public:
-  /// earlier, swing: a_k and b_k, one per interval. tension: one per knot.
-  IntervalTiming(const Eigen::VectorXd& knots, Eigen::VectorXd earlier, Eigen::VectorXd swing,
-                 const Eigen::VectorXd& tension);
+  /// a_k and b_k, one per interval.
+  struct Numbers {
+    Eigen::VectorXd earlier, swing;
+  };
+
+  /// tension: one per knot.
+  IntervalTiming(const Eigen::VectorXd& knots, const Eigen::VectorXd& tension);
 
   /// Adds the sum above, or its first or second derivative. plain: the spline with weights w.
-  void addWeights(const KnotSpline& plain, double t, int derivative, Weights& weights) const;
+  void addWeights(const KnotSpline& plain, const Numbers& numbers, double t, int derivative, Weights& weights) const;
 
  private:
-  Eigen::VectorXd earlier_, swing_;
   KnotSpline beta_;
 };
 

@@ -28,19 +28,36 @@ Status checkPerKey(const std::vector<double>& values, int keys, const char* name
   return {};
 }
 
+bool isZero(const IntervalTiming::Numbers& timing) { return timing.earlier.isZero(0) && timing.swing.isZero(0); }
+
+Status checkTiming(const KeyTiming& timing, int keys) {
+  if (Status status = checkPerKey(timing.earlier, keys, "A value of earlier", "values of earlier"); !status)
+    return status;
+  return checkPerKey(timing.swing, keys, "A value of swing", "values of swing");
+}
+
 Status checkOptions(const CurveOptions& o, int keys) {
   if (!std::isfinite(o.startSpeed) || !std::isfinite(o.endSpeed))
     return Error{ErrorCode::InvalidOption, "A Hermite speed is not a finite number. Use 0 to ease, 1 for the default."};
   if (Status status = checkPerKey(o.tension, keys, "A tension", "tensions"); !status) return status;
   if (Status status = checkPerKey(o.bias, keys, "A bias", "biases"); !status) return status;
-  if (Status status = checkPerKey(o.earlier, keys, "A value of earlier", "values of earlier"); !status) return status;
-  if (Status status = checkPerKey(o.swing, keys, "A value of swing", "values of swing"); !status) return status;
+  if (Status status = checkTiming(o.timing, keys); !status) return status;
+  for (const KeyTiming& part : o.parts)
+    if (Status status = checkTiming(part, keys); !status) return status;
   for (const double bias : o.bias)
     if (std::abs(bias) > 1) return Error{ErrorCode::InvalidOption, "A bias must be a number from -1 to 1."};
   return {};
 }
 
 }  // namespace
+
+// Not inlined, because each is long and none is called often.
+[[gnu::noinline]] CurvePoint::CurvePoint() = default;
+[[gnu::noinline]] CurvePoint::CurvePoint(const CurvePoint&) = default;
+[[gnu::noinline]] CurvePoint::CurvePoint(CurvePoint&&) noexcept = default;
+[[gnu::noinline]] CurvePoint& CurvePoint::operator=(const CurvePoint&) = default;
+[[gnu::noinline]] CurvePoint& CurvePoint::operator=(CurvePoint&&) noexcept = default;
+[[gnu::noinline]] CurvePoint::~CurvePoint() = default;
 
 double defaultPeriod(const std::vector<double>& times, Closing closing) {
   const double span = times.back() - times.front();
@@ -80,9 +97,13 @@ Result<Curve> Curve::fit(const std::vector<double>& times, const CurveOptions& o
   if (!options.linear) {
     curve.spline_ = KnotSpline::fit(knotTimes, options);
     for (Index i = 0; i < count; ++i) curve.spline_.shapeSlope(i, bias[i], tension[i]);
-    const VectorXd earlier = curve.ofKnots(options.earlier), swing = curve.ofKnots(options.swing);
-    if (!earlier.isZero(0) || !swing.isZero(0))
-      curve.timing_.emplace(knotTimes, earlier.head(count - 1), swing.head(count - 1), tension);
+    curve.timing_ = curve.ofIntervals(options.timing);
+    bool plain = isZero(curve.timing_);
+    for (const KeyTiming& part : options.parts) {
+      curve.parts_.push_back(curve.ofIntervals(part));
+      plain = plain && isZero(curve.parts_.back());
+    }
+    if (!plain) curve.timer_.emplace(knotTimes, tension);
   }
   return curve;
 }
@@ -94,9 +115,15 @@ VectorXd Curve::ofKnots(const std::vector<double>& ofKeys) const {
   return values;
 }
 
+IntervalTiming::Numbers Curve::ofIntervals(const KeyTiming& timing) const {
+  const Index intervals = static_cast<Index>(knots_.size()) - 1;
+  return {ofKnots(timing.earlier).head(intervals), ofKnots(timing.swing).head(intervals)};
+}
+
 Curve Curve::withoutTiming() const {
   Curve plain = *this;
-  plain.timing_.reset();
+  plain.timer_.reset();
+  plain.parts_.clear();
   return plain;
 }
 
@@ -117,11 +144,11 @@ void Curve::placeKnots(const std::vector<double>& times, double period) {
   knots_.push_back({times[0] + (periods + 1) * period, 0, periods + 1, -1});
 }
 
-Weights Curve::atKnots(double t, int derivative) const {
+Weights Curve::atKnots(double t, int derivative, const IntervalTiming::Numbers& timing) const {
   Weights result = Weights::Zero(static_cast<Index>(knots_.size()) + 2);
   if (!linear_) {
     spline_.addWeights(t, derivative, 1, result);
-    if (timing_) timing_->addWeights(spline_, t, derivative, result);
+    if (timer_) timer_->addWeights(spline_, timing, t, derivative, result);
     return result;
   }
   const auto last = static_cast<Index>(knots_.size()) - 1;
@@ -150,7 +177,7 @@ Weights Curve::addUp(const Weights& atKnots) const {
   return result;
 }
 
-Weights Curve::weights(double t, int derivative) const { return addUp(atKnots(t, derivative)); }
+Weights Curve::weights(double t, int derivative) const { return addUp(atKnots(t, derivative, timing_)); }
 
 namespace {
 
@@ -186,8 +213,8 @@ CurvePoint blendedPoint(const Weights& weights, Columns columns) {
   return point;
 }
 
-CurvePoint Curve::at(double t) const {
-  const Weights atEach = atKnots(t, 0);
+CurvePoint Curve::pointAt(double t, const IntervalTiming::Numbers& timing) const {
+  const Weights atEach = atKnots(t, 0, timing);
   if (!periodic_) {
     CurvePoint point = blendedPoint(atEach, columns_);
     point.beyond = t < start_ ? 0 : t > end_ ? columns_.keys - 1 : -1;
@@ -222,7 +249,7 @@ std::vector<KeySpan> Curve::spans() const {
 }
 
 std::vector<KeyWeight> Curve::slopeAt(double t) const {
-  const Weights weights = atKnots(t, 1);
+  const Weights weights = atKnots(t, 1, timing_);
   std::vector<KeyWeight> slope;
   for (std::size_t i = 0; i < knots_.size() + 2; ++i) {
     const double weight = weights[static_cast<Index>(i)];

@@ -2,6 +2,7 @@
 // entry of a coordinate vector (paper Eq. 1-2 and 6; section 3.2).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -57,6 +58,8 @@ struct KeySpan {
   int from, to;  ///< key indices
 };
 
+struct PartPoints;
+
 /// A point of the curve: weights for linear quantities, and steps for rotations.
 struct CurvePoint {
   Weights weights;
@@ -67,7 +70,34 @@ struct CurvePoint {
   std::vector<KeyWeight> unrolled;
   bool closes = false;  ///< whether the closing step is part of the curve
   int beyond = -1;      ///< end key from which the curve continues beyond the keys, or -1 within them
+  /// The points of parts with timings of their own; null if none differs.
+  std::shared_ptr<const PartPoints> parts = {};
+
+  /// The point for the mean position of the shape.
+  const CurvePoint& position() const;
+
+  CurvePoint();
+  CurvePoint(const CurvePoint& other);
+  CurvePoint(CurvePoint&& other) noexcept;
+  CurvePoint& operator=(const CurvePoint& other);
+  CurvePoint& operator=(CurvePoint&& other) noexcept;
+  ~CurvePoint();
 };
+
+/// Which part of a curve each patch of a shape follows.
+struct PatchParts {
+  std::vector<int> ofPatch;
+  /// Patches whose rotation does not agree with their own path: they rotate with the mean of the parts.
+  std::vector<char> rotatesWithMean;
+};
+
+struct PartPoints {
+  CurvePoint position;
+  std::vector<CurvePoint> ofPart;  ///< empty if all patches have the timing of the whole
+  std::shared_ptr<const PatchParts> patches;
+};
+
+inline const CurvePoint& CurvePoint::position() const { return parts ? parts->position : *this; }
 
 /// The point with the given weights: a blend of keys that may be off any curve.
 CurvePoint blendedPoint(const Weights& weights, Columns columns);
@@ -91,11 +121,15 @@ class Curve {
   Weights weights(double t, int derivative = 0) const;
 
   /// The point of the curve at time t.
-  CurvePoint at(double t) const;
+  CurvePoint at(double t) const { return pointAt(t, timing_); }
+  bool isTimed() const { return timer_.has_value(); }  ///< whether any timing, also of a part, differs from 0
+  int partCount() const { return static_cast<int>(parts_.size()); }
+  /// The same with the timing of a part.
+  CurvePoint partAt(double t, int part) const { return pointAt(t, parts_[part]); }
 
   WrappedTime wrap(double t) const;
 
-  /// The curve with 0 for `earlier` and `swing`.
+  /// The curve with 0 for `earlier` and `swing`, without parts.
   Curve withoutTiming() const;
 
   /// Spans between keys in time order: all spans of an open curve, or those in the first period of a periodic curve.
@@ -122,14 +156,19 @@ class Curve {
   void placeKnots(const std::vector<double>& times, double period);
   // The values of the keys at the knots; 0 without values.
   Eigen::VectorXd ofKnots(const std::vector<double>& ofKeys) const;
-  Weights atKnots(double t, int derivative) const;  // over the knots, followed by the tangents
+  CurvePoint pointAt(double t, const IntervalTiming::Numbers& timing) const;
+  // Over the knots, followed by the tangents.
+  Weights atKnots(double t, int derivative, const IntervalTiming::Numbers& timing) const;
+  IntervalTiming::Numbers ofIntervals(const KeyTiming& timing) const;
   Weights addUp(const Weights& atKnots) const;
 
   Columns columns_{0};
   double start_ = 0, end_ = 0;
   std::vector<Knot> knots_;
   KnotSpline spline_;
-  std::optional<IntervalTiming> timing_;
+  std::optional<IntervalTiming> timer_;  // empty if no timing has an effect
+  IntervalTiming::Numbers timing_;
+  std::vector<IntervalTiming::Numbers> parts_;
   bool linear_ = false, periodic_ = false, closes_ = false;
 };
 

@@ -1,5 +1,6 @@
 /** Commands that open files or compare with an animation. */
 import type { InsertPosition } from '../../model/edits.ts';
+import { fitKey, withTimings } from '../../model/fitted-timing.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { Actions } from './action.ts';
 import type { Context } from './context.ts';
@@ -26,6 +27,12 @@ export const FILES = {
   },
   /** Takes the fewest keys that stay within an error in percent of the diagonal. */
   takeFewest: { run: takeFewest },
+  /** Fits the timing to the animation from which the keys were taken. */
+  fitTiming: { run: fitTiming },
+  plainTiming: {
+    run: ({ session: { store } }) =>
+      store.edit('timing', (doc) => withTimings(doc, { earlier: [], swing: [], regions: [] })),
+  },
   original: { run: ({ showOriginal }, shown: boolean) => showOriginal(shown) },
   pickReference: { run: ({ overlays }) => overlays.pickReference() },
   /** Compares with the animation of other files; null stops comparing. */
@@ -49,4 +56,14 @@ async function takeFewest({ animation, viewState }: Context, of: number, percent
   viewState.changeOpened({ fewest: null });
   const fewest = await (await animation.get()).takeFewest(of, percent);
   if (fewest) viewState.changeOpened({ fewest });
+}
+
+async function fitTiming({ animation, session: { store }, viewState }: Context, of: number): Promise<void> {
+  const { doc } = store.get();
+  const key = fitKey(doc);
+  const fit = await (await animation.get()).fitTiming(of);
+  // The user may have changed the keys or opened other files meanwhile.
+  if (!fit || fitKey(store.get().doc) !== key) return;
+  viewState.changeOpened({ timing: { key, unseen: fit.unseen } });
+  store.edit('fitted timing', (now) => withTimings(now, fit.timings));
 }

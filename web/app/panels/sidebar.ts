@@ -39,6 +39,8 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
       onTake: (of, times) => void commands.takeKeys(of, times),
       onFewest: commands.takeFewest,
       onOriginal: (shown) => void commands.original(shown),
+      onFit: commands.fitTiming,
+      onPlain: () => void commands.plainTiming(),
     });
   }, onError);
   const splineOptions = lazyComponent(async () => {
@@ -101,10 +103,10 @@ function motionProps({ session }: Context) {
 }
 
 function samplingProps({ need }: Sidebar['sampling']) {
-  return ({ state: { source }, opened: { info, fewest, original } }: Shown): SamplingProps => {
+  return ({ state: { source, doc }, opened: { info, fewest, original, timing } }: Shown): SamplingProps => {
     const own = source.kind === 'files' ? info : null;
     if (own?.animations.some(({ moves }) => moves)) void need();
-    return { info: own, fewest, original };
+    return { info: own, fewest, original, timing, doc };
   };
 }
 

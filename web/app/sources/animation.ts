@@ -2,20 +2,23 @@
  * The animation in the open files: finds the fewest keys that suffice, and provides the animation for comparison. An
  * animation of other files can replace it in comparisons.
  */
-import type { Engine } from '../../engine/api/api.ts';
+import type { Engine, MotionChange } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import { fileName, modelName } from '../../engine/api/paths.ts';
+import { OWN_METHOD } from '../../engine/api/methods.ts';
 import { likeOf } from '../../engine/api/read-poses.ts';
 import type { InputFile, Progress } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
+import { fitTiming, type TimingFit } from '../../study/timing-fit.ts';
 import { MAX_SAMPLED } from '../../engine/api/option-table.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
 import { leadingName } from '../../ui/dropped-files.ts';
 import type { PickedFile } from '../../ui/dropped-files.ts';
 import type { PosePool } from '../session/pose-pool.ts';
+import { encodingFor, sequencePlan } from '../session/sequence-plan.ts';
 import type { Store } from '../session/store.ts';
 import type { Workspace } from '../session/workspace.ts';
 import { readFiles } from './input-files.ts';
@@ -29,6 +32,9 @@ export interface AnimationParts {
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
 }
+
+/** Number of regions that get timings of their own. */
+const FITTED_REGIONS = 16;
 
 export interface Fewest {
   keys: number;
@@ -87,6 +93,32 @@ export class Animation {
     });
     if (!found || !(await files.resample(animation, found.times))) return null;
     return { keys: found.times.length, percent: 100 * found.error };
+  }
+
+  /**
+   * Fits the timing of regions to the animation from which the keys were taken; null if that is impossible or ended
+   * early.
+   */
+  async fitTiming(animation: number): Promise<TimingFit | null> {
+    const { engine, store, workspace, onWorking } = this.parts;
+    const { pool } = workspace;
+    return this.guarded(async (signal) => {
+      const reference = await this.referenceOf(animation, signal);
+      if (!reference || !pool) return null;
+      const plan = sequencePlan(store.get().doc);
+      const variant = { method: OWN_METHOD, ghost: plan.encoding.ghostFaces };
+      const keys = pool.keys.arrange(plan.order, plan.times);
+      const shape = await engine.encode(keys, encodingFor(plan, variant, pool.keys), { signal });
+      try {
+        const options: MotionChange = { ...plan.motion, hold: 'off', pins: [] };
+        const frames = { times: reference.times, frame: (index: number) => reference.keys.positions(index) };
+        const fitted = { engine, keys, shape, options, animation: frames };
+        return await fitTiming(fitted, plan.times, FITTED_REGIONS, { signal, onProgress: onWorking });
+      } finally {
+        shape.dispose();
+        keys.dispose();
+      }
+    });
   }
 
   /** The animation for comparison; null if there is none, or if it was unreadable. */

@@ -42,11 +42,13 @@ export function carriedSettings(read: Doc, pool: PosePool, settings: Doc, before
     lost.push(`The ${end} tangent was removed, because its shape lacks an object.`);
     return null;
   };
+  if (settings.motion.regions.length > 0)
+    lost.push('Regions have the timing of the whole again, because their timings belonged to other keys.');
   const { referencePose } = settings.encoding;
   return {
     doc: {
       ...read,
-      motion: { ...settings.motion, period: read.motion.period, pins },
+      motion: { ...settings.motion, period: read.motion.period, pins, regions: [] },
       encoding: {
         ...settings.encoding,
         referencePose: referencePose === null ? null : poseOf(referencePose),

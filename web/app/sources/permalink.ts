@@ -112,8 +112,8 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
   return params.toString();
 }
 
-/** The part of a motion that links store. */
-function linked({ pins, ...motion }: Motion): object {
+/** The part of a motion that links store. Regions are too long for them. */
+function linked({ pins, regions: _, ...motion }: Motion): object {
   return { ...motion, pins: pinsText(pins, shortest) };
 }
 
@@ -196,6 +196,7 @@ type Take = <T>(name: string, read: (text: string) => T | undefined) => T | unde
 /** The value of an option, if valid. */
 function optionValue(option: Option, text: string): unknown {
   if (isPose(option)) return index(text);
+  if (option.kind === 'regions') return undefined;
   if (option.kind === 'pins') return pinsFromText(text);
   const value = option.kind === 'choice' ? choiceNow(option, text) : option.kind === 'flag' ? flag(text) : number(text);
   return value !== undefined && validationError(option, value) === null ? value : undefined;

@@ -1,5 +1,6 @@
 /** Page content outside the saved state: running work, results, thumbnails. */
 import type { Frame, KeysInfo, Method, SequenceStats, Warning } from '../../engine/api/types.ts';
+import type { TimingResult } from '../../model/fitted-timing.ts';
 import type { SpeedCurve } from '../../model/speed-curve.ts';
 import { USUAL_MAX_SPEEDS } from '../../model/speeds.ts';
 import type { Speeds } from '../../model/speeds.ts';
@@ -91,6 +92,8 @@ export interface OpenedState {
   placing: boolean;
   /** Result of the search for the fewest keys of an animation. */
   fewest: Fewest | null;
+  /** Result of the last fit of the timing. */
+  timing: TimingResult | null;
   /** The animation is shown beside the motion. */
   original: boolean;
   /** The dialog for choosing keys of an animation is open. */
@@ -225,6 +228,7 @@ export const EMPTY_OPENED: OpenedState = {
   timePicture: null,
   placing: false,
   fewest: null,
+  timing: null,
   original: false,
   opening: false,
   blend: null,

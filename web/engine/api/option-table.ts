@@ -12,6 +12,9 @@ export const MAX_KEYS = 10_000;
 /** Limit for pins, and for keys of a pin's path. */
 export const MAX_PINS = 100;
 export const MAX_PATH_KEYS = 1000;
+/** Limits for regions with timings of their own, and for all their numbers. */
+export const MAX_REGIONS = 64;
+export const MAX_REGION_NUMBERS = 100_000;
 /** Upper bound on added turns. */
 export const MAX_TURNS = 100;
 /** Upper bound on slopes, relative to the default slope at a key. */
@@ -48,6 +51,17 @@ export interface Pin {
   path?: PathKey[];
 }
 
+/** Faces with a timing of their own. A face in several regions belongs to the first. */
+export interface TimingRegion {
+  /** Runs of faces of the file: first face and number of faces, in turn. Empty: the mean position of the shape. */
+  faces: number[];
+  /** As the options `earlier` and `swing`: empty, or one number per key. */
+  earlier: number[];
+  swing: number[];
+  /** Whether the timing blends over two rings of patches around the border of the region. */
+  soft: boolean;
+}
+
 /** An object's range of faces. */
 export interface SceneObject {
   /** Generated if the file has no name. */
@@ -73,6 +87,7 @@ interface Values {
   shape: Float32Array;
   turns: AddedTurns[];
   pins: Pin[];
+  regions: TimingRegion[];
   numbers: number[];
   /** One weight per key, sum 1. */
   weights: number[];
@@ -177,6 +192,14 @@ export const MOTION = {
       '(default: 0.06), or the word patch for the patch of VERTEX. Pinned vertices follow their own splines or stay as in ' +
       'KEY, and are offset by X, Y, Z at time T. Repeatable',
     page: 'pins',
+  },
+  /** For the method 'lri': parts of the shape with timings of their own, set by hand or by a fit. */
+  regions: {
+    kind: 'regions',
+    max: MAX_REGIONS,
+    default: [],
+    help: 'method lri: parts of the shape with timings of their own; see --fit-timing',
+    page: 'regions',
   },
   boundary: {
     kind: 'choice',

@@ -10,13 +10,22 @@ import {
   EXPORT,
   IMPORT,
   MAX_PATH_KEYS,
+  MAX_REGION_NUMBERS,
   MAX_TIME,
   MAX_TURNS,
   MOTION,
   PER_KEY,
   optionsIn,
 } from './option-table.ts';
-import type { KeyOption, NumberOption, Option, OptionTable, OtherOption, SceneObject } from './option-table.ts';
+import type {
+  KeyOption,
+  NumberOption,
+  Option,
+  OptionTable,
+  OtherOption,
+  SceneObject,
+  TimingRegion,
+} from './option-table.ts';
 import {
   ENCODING_DEFAULTS,
   EXPORT_DEFAULTS,
@@ -100,6 +109,36 @@ const pins: Check = (v) => {
   return wrong ? `has a pin ${wrong}` : null;
 };
 
+const PER_INTERVAL = ['earlier', 'swing'] as const;
+
+/** The problem with a region, after 'has a region'. */
+function regionError(region: unknown): string | null {
+  if (!isRecord(region)) return 'that is not an object';
+  const { faces, earlier: _a, swing: _b, soft, ...rest } = region;
+  if (!Array.isArray(faces) || faces.length % 2 !== 0 || faces.some((one) => wholeFrom(0)(one) !== null))
+    return 'whose faces are not runs of whole numbers: first face and number of faces, in turn';
+  for (const name of PER_INTERVAL) {
+    const wrong = listValidationError(PER_KEY[name], region[name]);
+    if (wrong) return `whose ${name} ${wrong}`;
+  }
+  if (typeof soft !== 'boolean') return 'whose soft is not true or false';
+  const [other] = Object.keys(rest);
+  return other === undefined ? null : `with an unknown field '${other}': a region has faces, earlier, swing and soft`;
+}
+
+const regions: Check = (v) => {
+  if (!Array.isArray(v)) return 'must be an array of { faces, earlier, swing, soft }';
+  const wrong = v.map(regionError).find((one) => one !== null);
+  if (wrong) return `has a region ${wrong}`;
+  const numbers = (v as TimingRegion[]).reduce(
+    (sum, { faces, earlier, swing }) => sum + faces.length + earlier.length + swing.length,
+    0,
+  );
+  return numbers <= MAX_REGION_NUMBERS
+    ? null
+    : `must have at most ${grouped(MAX_REGION_NUMBERS)} numbers, not ${grouped(numbers)}`;
+};
+
 const sample: Check = (v) => {
   if (!wholeFrom(2)(v)) return null;
   const increasing = Array.isArray(v) && v.length > 0 && v.every((t, i) => isTime(t) && (i === 0 || t > v[i - 1]));
@@ -128,6 +167,7 @@ const ofKind: Record<Exclude<Option['kind'], 'number' | 'choice'>, Check> = {
   shape: (v) => (v instanceof Float32Array ? null : 'must be a Float32Array of positions'),
   turns,
   pins,
+  regions,
   numbers: times,
   weights: (v) => {
     if (!Array.isArray(v) || v.length === 0 || !v.every(isNumber)) return 'must be numbers, one per key';
@@ -168,7 +208,7 @@ function numberCheck(option: NumberOption): Check {
 
 /** Checks the number of entries. */
 function countCheck({ kind, some, max = Infinity }: OtherOption): Check {
-  const noun = kind === 'pins' ? 'pins' : 'times';
+  const noun = kind === 'pins' || kind === 'regions' ? kind : 'times';
   return (v) => {
     const count = Array.isArray(v) ? v.length : typeof v === 'number' ? v : 1;
     if (some && count === 0) return 'must have at least one entry';
@@ -176,7 +216,7 @@ function countCheck({ kind, some, max = Infinity }: OtherOption): Check {
   };
 }
 
-const COUNTED: readonly Option['kind'][] = ['numbers', 'sample', 'names', 'pins'];
+const COUNTED: readonly Option['kind'][] = ['numbers', 'sample', 'names', 'pins', 'regions'];
 
 function checkOf(option: Option): Check {
   const { kind } = option;

@@ -12,6 +12,7 @@ export type RuledOption =
   | 'bias'
   | 'earlier'
   | 'swing'
+  | 'regions'
   | 'hold'
   | 'pins'
   | 'turns'
@@ -40,6 +41,7 @@ export const RULES: Readonly<Record<RuledOption, Rule>> = {
   bias: { words: 'bias', fitsMethod: isUnfitted },
   earlier: { words: 'timing', fitsMethod: isOwn },
   swing: { words: 'timing', fitsMethod: isOwn },
+  regions: { words: 'regions with timings of their own', fitsMethod: isOwn },
   hold: { words: 'keeping resting parts in place', fitsMethod: holds },
   pins: { words: 'pins', fitsMethod: holds },
   turns: { words: 'full turns', fitsMethod: ({ method }) => METHOD[method].turns },
@@ -72,7 +74,15 @@ export function hasEffect(option: keyof SequenceOptions, options: Deciding): boo
   return (EFFECTIVE_IF[option] ?? RULES[option as RuledOption]?.fitsMethod ?? (() => true))(options);
 }
 
-const EXCLUDED_BY_KEPT_LENGTHS: readonly RuledOption[] = ['boundary', 'earlier', 'swing', 'hold', 'pins', 'turns'];
+const EXCLUDED_BY_KEPT_LENGTHS: readonly RuledOption[] = [
+  'boundary',
+  'earlier',
+  'swing',
+  'regions',
+  'hold',
+  'pins',
+  'turns',
+];
 
 /** Whether an option asks for something: a value other than its default, or an entry of a list other than zero. */
 function isUsed(options: Ruled, option: RuledOption): boolean {

@@ -12,7 +12,7 @@ export interface InputFile {
   bytes: Uint8Array;
 }
 
-export type { AddedTurns, PathKey, Pin, SceneObject } from './option-table.ts';
+export type { AddedTurns, PathKey, Pin, SceneObject, TimingRegion } from './option-table.ts';
 
 /** Options of an import. */
 export type ImportOptions = Partial<ValuesOf<typeof IMPORT>>;
