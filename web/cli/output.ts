@@ -2,8 +2,8 @@
  * Writes files completely or not at all: first next to their destination, then moved there. Replaces no input, and
  * beside the named outputs only files that are still as they were written.
  */
-import { rmSync, type Stats } from 'node:fs';
-import { lstat, mkdir, readFile, readdir, readlink, realpath, rename, stat, writeFile } from 'node:fs/promises';
+import { mkdirSync, rmSync, type Stats } from 'node:fs';
+import { lstat, readFile, readdir, readlink, realpath, rename, stat, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { EngineError, messageOf } from '../engine/api/errors.ts';
 import { readNote } from '../engine/api/export-note.ts';
@@ -142,7 +142,8 @@ async function move(outputs: Output[], known: KnownFiles, partial: string[], mad
     whole.push({ from: beside.list, to: path.join(beside.folder, LIST) });
   }
   for (const { to } of whole) {
-    const first = await mkdir(path.dirname(to), { recursive: true });
+    // No signal may come between a folder and its entry in the list.
+    const first = mkdirSync(path.dirname(to), { recursive: true });
     if (first !== undefined) made.push(first);
   }
   for (const { to, bytes } of streams) await writeFile(to, bytes);
@@ -236,7 +237,7 @@ async function partialPlace(target: string, { path: given }: Output, partial: st
   const mark = `.partial-${process.pid}-${partial.length}`;
   const temporary = path.join(await existing(path.dirname(target)), `${path.basename(target)}${mark}`);
   partial.push(temporary);
-  if (given.endsWith('/')) await mkdir(temporary);
+  if (given.endsWith('/')) mkdirSync(temporary);
   return temporary;
 }
 
