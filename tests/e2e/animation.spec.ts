@@ -193,6 +193,44 @@ test('the fewest keys for an error are found, and the animation is shown next to
   await app.expectNoProblems();
 });
 
+test('the timing is fitted to the animation, goes stale with a key, and is fitted again or removed', async ({
+  app,
+}) => {
+  await app.open();
+  await dropped(app, upload('rig.glb', (await rigFile()).bytes));
+  const [said, fit] = [app.by('fit-timing-result'), app.by('fit-timing')];
+  await expect(said).toBeHidden();
+  await expect(app.by('plain-timing')).toBeHidden();
+  const plain = (await app.state()).doc;
+  const between = (plain.keys[1]!.time + plain.keys[2]!.time) / 2;
+  const shape = await app.positionsAt(between);
+  await fit.click();
+  await expect(said).toContainText('has not seen');
+  const [before, after] = ((await said.innerText()).match(/\d[\d.]* %/g) ?? []).map(Number.parseFloat);
+  expect(after).toBeLessThan(before!);
+  await app.settled();
+  const fitted = (await app.state()).doc;
+  expect(fitted.motion.regions.length).toBeGreaterThan(1);
+  expect(difference(await app.positionsAt(between), shape)).toBeGreaterThan(1e-4 * diagonal(shape));
+
+  // Scaling all times keeps the fit; moving one key does not.
+  await app.by('opening-done').click();
+  await app.by('undo').click();
+  await expect.poll(async () => (await app.state()).doc.motion).toEqual(plain.motion);
+  await expect(app.by('plain-timing')).toBeHidden();
+  await app.by('redo').click();
+  await expect.poll(async () => (await app.state()).doc.motion).toEqual(fitted.motion);
+  await app.by('key-2').focus();
+  await app.page.keyboard.press('ArrowRight');
+  await expect(fit).toHaveText('Fit again');
+  await fit.click();
+  await expect(fit).toHaveText('Fit timing');
+  await app.settled();
+  await app.by('plain-timing').click();
+  await expect.poll(async () => (await app.state()).doc.motion).toEqual(plain.motion);
+  await app.expectNoProblems();
+});
+
 test('one dialog asks for the options of the animation, and then becomes a panel again', async ({ app }) => {
   await app.open();
   await dropped(app, upload('rig.glb', (await rigFile()).bytes));

@@ -1,6 +1,7 @@
 // Regions with timings of their own (timing_regions.h).
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "sequences.h"
@@ -111,6 +112,49 @@ TEST_CASE("with a ghost mesh, its patches carry the timing, and keys are exact")
   Sequence plain = sequenceOf(k, encoding);
   for (const Key& key : k.keys) CHECK(largestDistance(shapeAt(s, key.time), key.positions) < 1e-6);
   CHECK(largestDistance(shapeAt(s, 0.2), shapeAt(plain, 0.2)) > 0.01);
+}
+
+TEST_CASE("derivatives by the timing agree with differences of motions") {
+  const Keyframes k = bends();
+  const double t = 0.4, step = 0.02;
+  Sequence plain = sequenceOf(k, doublePrecision());
+  const std::vector<int>& patchOf = plain.encoded().lri().patchOfInputFace();
+  std::vector<int> regionOf(static_cast<std::size_t>(1 + *std::max_element(patchOf.begin(), patchOf.end())), 0);
+  for (std::size_t patch = 0; patch < regionOf.size() / 2; ++patch) regionOf[patch] = 1;
+  std::vector<int> runs;  // of the faces of region 1
+  for (int f = 0; f < k.faceCount(); ++f)
+    if (patchOf[f] >= 0 && regionOf[patchOf[f]] == 1) runs.insert(runs.end(), {f, 1});
+
+  const auto derivatives = plain.timingDerivatives(t, regionOf);
+  REQUIRE(derivatives.ok());
+  CHECK(derivatives->intervals == std::vector<int>{0, 1, 2});
+  const auto numbers = static_cast<std::size_t>(3 * k.vertexCount());
+  REQUIRE(derivatives->shapes.size() == 3 * 2 * 3 * numbers);
+  for (std::size_t interval = 0; interval < 3; ++interval)
+    for (const bool swing : {false, true})
+      for (const std::size_t part : {1, 2}) {
+        CAPTURE(interval);
+        CAPTURE(swing);
+        CAPTURE(part);
+        const auto at = [&](double value) {
+          KeyTiming timing{{0, 0, 0, 0}, {0, 0, 0, 0}};
+          (swing ? timing.swing : timing.earlier)[interval] = value;
+          Sequence s =
+              sequenceOf(k, doublePrecision(), timed(none, {{part == 1 ? runs : std::vector<int>{}, timing, false}}));
+          return shapeAt(s, t);
+        };
+        const Positions ahead = at(step), behind = at(-step);
+        const float* found = derivatives->shapes.data() + ((interval * 2 + swing) * 3 + part) * numbers;
+        double off = 0, largest = 0;
+        for (std::size_t v = 0; v < ahead.size(); ++v) {
+          const Vec3 wanted = (ahead[v] - behind[v]) / (2 * step);
+          off = std::max(off, (wanted - Vec3(found[3 * v], found[3 * v + 1], found[3 * v + 2])).norm());
+          largest = std::max(largest, wanted.norm());
+        }
+        CHECK(off < 0.05 * largest);
+      }
+  CHECK(plain.timingDerivatives(t, {}).error().code == ErrorCode::InvalidOption);
+  CHECK(plain.timingDerivatives(2, regionOf).error().code == ErrorCode::InvalidOption);
 }
 
 TEST_CASE("wrong regions give messages") {

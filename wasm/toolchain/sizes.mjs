@@ -10,8 +10,8 @@ import { Explained } from './log.mjs';
  * suffix.
  */
 export const LIMITS = {
-  firstPicture: 684_800,
-  shapespline_threads: 393_500,
+  firstPicture: 687_900,
+  shapespline_threads: 396_500,
   shapespline_files: 300_000,
   shapespline_shells: 150_000,
 };

@@ -1,12 +1,11 @@
 /** A simplified shape for fits: its vertices are vertices of the shape, so its motion is nearly the shape's. */
 import type { Engine, Keys, Shape } from '../engine/api/api.ts';
 import type { EncodingOptions } from '../engine/api/types.ts';
-import { runsOf } from './timing-fit.ts';
 
 export interface SmallShape {
   shape: Shape;
-  /** Runs of faces of each region; a single region without faces of its own for the whole. */
-  regions: number[][];
+  /** The region of each of its patches. */
+  regionOfPatch: number[];
   /** Its vertices among those of the shape, 3 x vertices each. */
   verticesOf(positions: Float32Array): Float32Array;
   dispose(): void;
@@ -14,7 +13,7 @@ export interface SmallShape {
 
 const MAX_FACES = 2000;
 /** A patch needs this number of faces for a well-defined rotation. */
-const FACES_PER_PATCH = 16;
+const FACES_PER_PATCH = 8;
 
 /** regionOf: of each face of the shape, or null for one region. */
 export async function smallShape(
@@ -27,8 +26,8 @@ export async function smallShape(
   const count = faces.length / 3;
   if (count <= MAX_FACES) {
     const shape = await engine.encode(keys, { stretch, reference });
-    const regions = regionOf ? runsOf(regionOf) : [[0, count]];
-    return { shape, regions, verticesOf: (positions) => positions, dispose: () => shape.dispose() };
+    const regionOfPatch = await regionsOf(shape, regionOf ?? new Int32Array(count));
+    return { shape, regionOfPatch, verticesOf: (positions) => positions, dispose: () => shape.dispose() };
   }
   const full = await engine.encode(keys, { ghostFaces: MAX_FACES });
   const motion = await full.motion();
@@ -49,16 +48,26 @@ export async function smallShape(
     patches: Math.floor(smallFaces / FACES_PER_PATCH),
   });
   small.dispose();
-  const regions = regionOf ? runsOf(majority(regionOf, ghost.ghostFaceOf, smallFaces)) : [[0, smallFaces]];
-  return { shape, regions, verticesOf, dispose: () => shape.dispose() };
+  const regionOfFace = regionOf ? majority(regionOf, ghost.ghostFaceOf, smallFaces) : new Int32Array(smallFaces);
+  const regionOfPatch = await regionsOf(shape, regionOfFace);
+  return { shape, regionOfPatch, verticesOf, dispose: () => shape.dispose() };
 }
 
-/** The region of most faces that follow a face of the small mesh. */
-function majority(regionOf: Int32Array, followed: Int32Array, faces: number): Int32Array {
-  const votes = Array.from({ length: faces }, () => new Map<number, number>());
-  followed.forEach((face, i) => {
-    const region = regionOf[i]!;
-    if (face >= 0 && region >= 0) votes[face]!.set(region, (votes[face]!.get(region) ?? 0) + 1);
+/** The region of most faces of each patch. */
+async function regionsOf(shape: Shape, regionOfFace: Int32Array): Promise<number[]> {
+  const motion = await shape.motion(); // encodes the patches
+  motion.dispose();
+  const patchOf = await shape.patches();
+  const patches = patchOf.reduce((most, patch) => Math.max(most, patch), -1) + 1;
+  return Array.from(majority(regionOfFace, patchOf, patches), (region) => Math.max(region, 0));
+}
+
+/** For each of `count` groups, the value of most of its members; -1 without any. */
+function majority(values: Int32Array, groupOf: Int32Array, count: number): Int32Array {
+  const votes = Array.from({ length: count }, () => new Map<number, number>());
+  groupOf.forEach((group, i) => {
+    const value = values[i]!;
+    if (group >= 0 && value >= 0) votes[group]!.set(value, (votes[group]!.get(value) ?? 0) + 1);
   });
   return Int32Array.from(votes, (counts) => {
     const [first] = [...counts].sort(([, a], [, b]) => b - a);

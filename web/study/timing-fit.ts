@@ -1,7 +1,7 @@
 /**
  * Fits the timing of each interval (options `earlier` and `swing`) to the animation from which the keys were taken: for
  * the whole shape or for regions, and for the mean position. One step of least squares over frames between the keys,
- * with derivatives by differences of shapes.
+ * on a simplified shape.
  */
 import type { CallOptions, Engine, Keys, Motion, MotionChange, Shape } from '../engine/api/api.ts';
 import type { TimingRegion } from '../engine/api/types.ts';
@@ -48,8 +48,6 @@ const NAMES = ['earlier', 'swing'] as const;
 const BOUNDS = { earlier: 0.35, swing: 1.5 };
 const MAX_FRAMES = 4;
 const RIDGE = 0.02;
-/** Step of the differences. Shapes in single precision are too coarse for a much smaller one. */
-const STEP = 0.01;
 const DIGITS = 1000;
 const AT_ONCE = 16;
 const NO_TIMINGS: Timings = { earlier: [], swing: [], regions: [] };
@@ -77,7 +75,7 @@ export async function fitTiming(
   report(0.05);
   const small = await smallShape(fitted.engine, fitted.keys, fitted.shape.options, regionOf);
   try {
-    const halves = await equationsOf(fitted, small, times, between.map(spread), (done) => report(0.1 + 0.8 * done));
+    const halves = await equationsOf(fitted, small, times, between.flatMap(spread), (done) => report(0.1 + 0.8 * done));
     const timingsFrom = (equations: NormalEquations): Timings => timingsOf(equations, regionOf, times.length);
     const all = timingsFrom(halves[0].equations.plus(halves[1].equations));
     const seen = new Set(halves[0].frames);
@@ -109,16 +107,6 @@ const spread = (frames: number[]): number[] => {
   return Array.from({ length: count }, (_, i) => frames[Math.floor(((i + 0.5) * frames.length) / count)]!);
 };
 
-/** A motion with one number per third interval, of one part: a region, or the position. */
-interface Probe {
-  name: (typeof NAMES)[number];
-  part: number;
-  /** Remainder of the intervals by three. */
-  group: number;
-  ahead: Motion;
-  behind: Motion;
-}
-
 interface Half {
   equations: NormalEquations;
   frames: number[];
@@ -126,85 +114,46 @@ interface Half {
 
 /**
  * The equations of every second frame, and of the others. Unknowns of an interval: both numbers of each part, the
- * position last. A number has no effect beyond the neighbouring intervals, so one motion probes every third interval.
+ * position last.
  */
 async function equationsOf(
   { options, animation }: Fitted,
   small: SmallShape,
   times: readonly number[],
-  frames: readonly number[][],
+  frames: readonly number[],
   done: (fraction: number) => void,
 ): Promise<[Half, Half]> {
-  const intervals = times.length - 1;
-  const parts = small.regions.length + 1;
-  const made: Motion[] = [];
-  const motionWith = async (timings: Timings): Promise<Motion> => {
-    const motion = await small.shape.motion({ ...options, keyTimes: [...times], ...timings });
-    made.push(motion);
-    return motion;
-  };
-  const halves: [Half, Half] = [0, 1].map(() => ({
-    equations: new NormalEquations(intervals, 2 * parts),
+  const { regionOfPatch } = small;
+  const parts = Math.max(...regionOfPatch) + 2;
+  const [first, second] = [0, 1].map(() => ({
+    equations: new NormalEquations(times.length - 1, 2 * parts),
     frames: [] as number[],
-  })) as never;
+  }));
+  const plain = await small.shape.motion({ ...options, keyTimes: [...times], ...NO_TIMINGS });
   try {
-    const plain = await motionWith(NO_TIMINGS);
-    const probes: Probe[] = [];
-    for (let group = 0; group < Math.min(3, intervals); group += 1)
-      for (let part = 0; part < parts; part += 1)
-        for (const name of NAMES) {
-          const at = (value: number): Promise<Motion> =>
-            motionWith(probing(small.regions, part, name, times.length, group, value));
-          probes.push({ name, part, group, ahead: await at(STEP), behind: await at(-STEP) });
-          done((0.3 * probes.length) / (6 * parts));
-        }
-    for (const [interval, some] of frames.entries()) {
-      await addInterval(interval, some);
-      done(0.3 + (0.7 * (interval + 1)) / intervals);
-    }
-    async function addInterval(interval: number, some: readonly number[]): Promise<void> {
-      const at = some.map((frame) => animation.times[frame]!);
-      const shown = await shapes(plain, at);
-      const columns: Float32Array[][] = [];
-      const unknowns: number[] = [];
-      for (const { name, part, group, ahead, behind } of probes) {
-        const near = [interval - 1, interval, interval + 1].find((one) => one % 3 === group);
-        if (near === undefined || near < 0 || near >= intervals) continue;
-        const [after, before] = await Promise.all([shapes(ahead, at), shapes(behind, at)]);
-        unknowns.push(near * 2 * parts + 2 * part + NAMES.indexOf(name));
-        columns.push(after.map((one, i) => minus(one, before[i]!, 2 * STEP)));
-        done(0.3 + (0.7 * interval) / intervals);
-      }
-      some.forEach((frame, i) => {
-        const half = halves[i % 2]!;
-        half.frames.push(frame);
-        const wanted = minus(small.verticesOf(animation.frame(frame)), shown[i]!);
-        half.equations.add(
-          unknowns,
-          columns.map((one) => one[i]!),
-          wanted,
-        );
-      });
+    for (const [i, frame] of frames.entries()) {
+      const t = animation.times[frame]!;
+      const [[shown], { intervals, shapes }] = await Promise.all([
+        shapesOf(plain, [t]),
+        plain.timingDerivatives(t, regionOfPatch),
+      ]);
+      const unknowns = intervals.flatMap((interval) =>
+        NAMES.flatMap((_, number) =>
+          Array.from({ length: parts }, (__, part) => interval * 2 * parts + 2 * part + number),
+        ),
+      );
+      const columns = unknowns.map((_, column) =>
+        shapes.subarray(column * shown!.length, (column + 1) * shown!.length),
+      );
+      const half = (i % 2 === 0 ? first : second)!;
+      half.frames.push(frame);
+      half.equations.add(unknowns, columns, minus(small.verticesOf(animation.frame(frame)), shown!));
+      done((i + 1) / frames.length);
     }
   } finally {
-    for (const motion of made) motion.dispose();
+    plain.dispose();
   }
-  return halves;
-}
-
-/** Timings with a number in every third interval of one part. */
-function probing(
-  regions: readonly number[][],
-  part: number,
-  name: 'earlier' | 'swing',
-  keys: number,
-  group: number,
-  value: number,
-): Timings {
-  const numbers = Array.from({ length: keys }, (_, key) => (key % 3 === group && key < keys - 1 ? value : 0));
-  const timing = { earlier: [], swing: [], [name]: numbers };
-  const faces = regions[part];
-  return { ...NO_TIMINGS, regions: [{ faces: faces ?? [], ...timing, soft: false }] };
+  return [first!, second!];
 }
 
 /** The options from the solution. Without regions, the one part before the position is the whole. */
@@ -246,7 +195,7 @@ export function runsOf(regionOf: Int32Array): number[][] {
   return runs;
 }
 
-async function shapes(motion: Motion, times: number[]): Promise<Float32Array[]> {
+async function shapesOf(motion: Motion, times: number[]): Promise<Float32Array[]> {
   const frames = await motion.evaluateMany(times);
   return frames.map((frame) => {
     const positions = frame.positions.slice();
@@ -255,7 +204,7 @@ async function shapes(motion: Motion, times: number[]): Promise<Float32Array[]> 
   });
 }
 
-const minus = (a: Float32Array, b: Float32Array, over = 1): Float32Array => a.map((value, i) => (value - b[i]!) / over);
+const minus = (a: Float32Array, b: Float32Array): Float32Array => a.map((value, i) => value - b[i]!);
 
 async function errorOf(
   { shape, options, animation }: Fitted,
@@ -268,7 +217,7 @@ async function errorOf(
   try {
     for (let start = 0; start < frames.length; start += AT_ONCE) {
       const some = frames.slice(start, start + AT_ONCE);
-      const shown = await shapes(
+      const shown = await shapesOf(
         motion,
         some.map((frame) => animation.times[frame]!),
       );

@@ -217,6 +217,18 @@ EXPORT const char* shapespline_bending(int handle, const char* request) {
   });
 }
 
+/// {t, regionOf} -> {intervals, shapes}: timing_derivatives.h. `shapes` are valid until the next call.
+EXPORT const char* shapespline_timing_derivatives(int handle, const char* request) {
+  return answer(request, [&](const Json& json) -> Result<Json> {
+    static TimingDerivatives derivatives;
+    auto found = motionOf(handle).timingDerivatives(json.at("t"), json.at("regionOf").get<std::vector<int>>());
+    if (!found) return found.error();
+    derivatives = std::move(*found);
+    return Json{{"intervals", derivatives.intervals},
+                {"shapes", range(derivatives.shapes.data(), derivatives.shapes.size())}};
+  });
+}
+
 /// {t} -> {positions}: xyz of the ghost's vertices, valid until the next call for this shape.
 EXPORT const char* shapespline_ghost_positions(int handle, const char* request) {
   return answer(request, [&](const Json& json) -> Result<Json> {

@@ -377,7 +377,7 @@ Quaternion PatchMotion::turnOfPeriods(const CurvePoint& point) const {
 }
 
 // To first order, this equals the rotations from the maps at each part's weights, which differ little from the mean.
-void PatchMotion::advanceParts(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch,
+void PatchMotion::advanceParts(const CurvePoint& point, const PatchTurns& turns, const Scratch& scratch,
                                LocalFrames& frames) const {
   const PatchParts& patches = *point.parts->patches;
   frames.part = patches.ofPatch;
@@ -385,12 +385,11 @@ void PatchMotion::advanceParts(const CurvePoint& point, const PatchTurns& turns,
   for (std::size_t part = 0; part < point.parts->ofPart.size(); ++part) {
     const CurvePoint& own = point.parts->ofPart[part];
     const Quaternion whole = addedTurn(own, turns) * turnOfPeriods(own);
-    own_.at(own, {}, scratch.pathOfPart);
     for (std::size_t k = 0; k < frames.rotation.size(); ++k) {
       if (patches.ofPatch[k] != static_cast<int>(part) || patches.rotatesWithMean[k]) continue;
       Quaternion& g = frames.rotation[k];
       // In the world of the keys: the turn of the whole and of the periods comes last.
-      g = (whole * (back * g) * scratch.path[k].conjugate() * scratch.pathOfPart[k]).normalized();
+      g = (whole * (back * g) * scratch.path[k].conjugate() * own_.pathAt(own, {}, k)).normalized();
     }
   }
 }

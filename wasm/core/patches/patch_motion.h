@@ -24,7 +24,7 @@ struct PatchTurns {
 class PatchMotion {
  public:
   struct Scratch {
-    std::vector<Quaternion> connection, path, pathOfPart;
+    std::vector<Quaternion> connection, path;
     PatchRotationSystem::Scratch turn;
   };
 
@@ -37,6 +37,10 @@ class PatchMotion {
   /// The local frames at `point`. At a key, they equal the encoded ones. Patches in parts with timings of their own
   /// advance along their own paths from the mean of the parts. The added turns of components keep the mean.
   void at(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
+
+  /// Advances the patches of each part of `point` from the frames at the mean to the part. scratch: as at() left it.
+  void advanceParts(const CurvePoint& point, const PatchTurns& turns, const Scratch& scratch,
+                    LocalFrames& frames) const;
 
   /// Angles at a point without parts, in radians.
   struct Disagreement {
@@ -88,7 +92,6 @@ class PatchMotion {
   Vec3 turnAxis(const WeldedShape& shape, int step, std::size_t bridge) const;
   Quaternion addedTurn(const CurvePoint& point, const PatchTurns& turns) const;
   Quaternion turnOfPeriods(const CurvePoint& point) const;
-  void advanceParts(const CurvePoint& point, const PatchTurns& turns, Scratch& scratch, LocalFrames& frames) const;
 
   KeySteps steps_;
   std::vector<StepPoses> posesOf_;      // at both ends of each step

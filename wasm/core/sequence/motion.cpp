@@ -86,15 +86,13 @@ Result<Motion> Motion::fit(const EncodedShape& encoded, std::vector<double> keyT
   return motion;
 }
 
-// A patch whose path differs from its rotation midway would jump along it.
 void Motion::findRotationsOfParts(const PatchMotion& patches) {
-  constexpr double agrees = std::numbers::pi / 3;
   parts_->rotatesWithMean.assign(parts_->ofPatch.size(), 0);
   if (!curve_.isTimed() || curve_.partCount() < 3) return;
   for (const KeySpan& span : curve_.spans()) {
     const std::vector<double> angle = patches.disagreement(curve_.at((span.start + span.end) / 2)).ofPatch;
     for (std::size_t k = 0; k < angle.size(); ++k)
-      if (angle[k] > agrees) parts_->rotatesWithMean[k] = 1;
+      if (angle[k] > pathsAgree) parts_->rotatesWithMean[k] = 1;
   }
 }
 
@@ -135,6 +133,13 @@ Curve Motion::unshapedCurve(const WeldedShape& shape) const {
   options.bias.clear();
   options.timing = {};
   // A curve that fits with values per key also fits without.
+  Result<Curve> curve = Curve::fit(times_, options);
+  return std::move(*curve);
+}
+
+Curve Motion::curveWithParts(const WeldedShape& shape, std::vector<KeyTiming> parts) const {
+  CurveOptions options = curveOptions(shape, options_);
+  options.parts = std::move(parts);
   Result<Curve> curve = Curve::fit(times_, options);
   return std::move(*curve);
 }

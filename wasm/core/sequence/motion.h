@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -15,6 +16,9 @@
 #include "core/spline/spline.h"
 
 namespace shapespline {
+
+/// Patches whose rotation differs more from their own path, in radians, would jump along it.
+inline constexpr double pathsAgree = std::numbers::pi / 3;
 
 /// The curve through the keys at their times, the added turns, and the motion of the whole. Immutable.
 class Motion {
@@ -30,6 +34,8 @@ class Motion {
   const Curve& curve() const { return curve_; }
   /// The curve without values per key. shape: the shape of this motion.
   Curve unshapedCurve(const WeldedShape& shape) const;
+  /// The same curve, with parts of these timings.
+  Curve curveWithParts(const WeldedShape& shape, std::vector<KeyTiming> parts) const;
   /// The natural cubic spline through the same keys at the same times.
   Curve naturalCurve() const;
   const PatchTurns& turns() const { return turns_; }

@@ -137,6 +137,12 @@ Status Sequence::patchRotations(double t, std::vector<Quaternion>& rotations) {
   return {};
 }
 
+Result<TimingDerivatives> Sequence::timingDerivatives(double t, const std::vector<int>& regionOf) {
+  if (Status status = checkTime(t); !status) return status.error();
+  if (Status status = shape_->makeSpace(Method::Lri); !status) return status.error();
+  return shapespline::timingDerivatives(encoded(), motion_, t, regionOf);
+}
+
 Result<FeatureCurve> Sequence::featureCurve() {
   if (Status status = shape_->makeSpace(Method::Lri); !status) return status.error();
   const auto shapeAt = [this](double t, Positions& shape) {

@@ -9,6 +9,7 @@
 #include "core/sequence/feature_curve.h"
 #include "core/sequence/motion.h"
 #include "core/sequence/shared_shape.h"
+#include "core/sequence/timing_derivatives.h"
 
 namespace shapespline {
 
@@ -69,6 +70,9 @@ class Sequence {
 
   /// The rotations G_k of the patches (of the ghost's, if any) at time t, after rotating the whole.
   Status patchRotations(double t, std::vector<Quaternion>& rotations);
+
+  /// timing_derivatives.h. Errors: those of SharedShape::makeSpace, too.
+  Result<TimingDerivatives> timingDerivatives(double t, const std::vector<int>& regionOf);
 
   /// The motion's curve in LRI space, which is built if needed. Errors: those of SharedShape::makeSpace.
   Result<FeatureCurve> featureCurve();

@@ -40,6 +40,7 @@ class RotationSplines {
 
   /// Rotation of every path at `point`, including full turns. rotation: resized, unit.
   void at(const CurvePoint& point, std::span<const WholeTurns> turns, std::vector<Quaternion>& rotation) const;
+  Quaternion pathAt(const CurvePoint& point, std::span<const WholeTurns> turns, std::size_t path) const;
 
  private:
   std::vector<std::vector<Quaternion>> stepRotation_;  // signed exp of the increments; empty for end tangents

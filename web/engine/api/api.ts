@@ -21,6 +21,7 @@ import type {
   MotionSpeed,
   PatchCurve,
   ShapePlane,
+  TimingDerivatives,
   Warning,
 } from './types.ts';
 
@@ -137,6 +138,12 @@ export interface Motion {
    * shapes per time; the first call for a large shape also makes its coarse mesh.
    */
   shellBending(times: number[], call?: CallOptions): Promise<number[]>;
+  /**
+   * How the shape at t, a time between the keys, changes with the timing of the intervals around it. `regionOf`: the
+   * region of each patch, numbered from 0. Without hold, pins and the motion's own regions; code 'invalid-option' with
+   * another method than LRI or a ghost mesh.
+   */
+  timingDerivatives(t: number, regionOf: number[]): Promise<TimingDerivatives>;
   /** Positions of the ghost mesh at t, 3 x ghost vertices; code 'invalid-option' without a ghost mesh. */
   ghostPositions(t: number): Promise<Float32Array>;
   /**

@@ -354,6 +354,17 @@ export interface MotionSpeed {
   overshoot: number[];
 }
 
+/** How a shape changes with the timing of the intervals around its time, for fits. */
+export interface TimingDerivatives {
+  /** The intervals whose timing has an effect, at most three. */
+  intervals: number[];
+  /**
+   * For each of them and each of `earlier` and `swing`: the derivative of the shape (3 x vertices) by the number of
+   * each region, and then by that of the position.
+   */
+  shapes: Float32Array;
+}
+
 /** The plane of the two leading principal components (Fig. 2b): 2 numbers per point. */
 export interface ShapePlane {
   keys: number[];

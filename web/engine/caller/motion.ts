@@ -23,6 +23,7 @@ import type {
   PatchCurve,
   SequenceOptions,
   ShapePlane,
+  TimingDerivatives,
   Warning,
 } from '../api/types.ts';
 import type { QueryInput, QUERIES, QueryName } from '../wire/calls.ts';
@@ -178,6 +179,10 @@ export class MotionClient implements Motion {
     const { shellBending } = await import('./shell-bending.ts');
     const frame = (t: number): Promise<Frame> => this.batch(() => this.frame(t, motion));
     return shellBending(this.asked.shape, { range: this.range, frame }, checked, call);
+  }
+
+  async timingDerivatives(t: number, regionOf: number[]): Promise<TimingDerivatives> {
+    return this.ask('timingDerivatives', { t: checkTime(t), regionOf });
   }
 
   async ghostPositions(t: number): Promise<Float32Array> {

@@ -12,6 +12,7 @@ import type {
   PatchCurve,
   SequenceStats,
   ShapePlane,
+  TimingDerivatives,
 } from '../api/types.ts';
 
 /** Urgency of a request: shown before ahead, and ahead before exports and measures. */
@@ -47,6 +48,10 @@ export const QUERIES = {
   motionSpeed: ofMotion<{ times: number[] }, MotionSpeed>('_shapespline_motion_speed', 'batch'),
   bending: ofMotion<{ times: number[] }, { energy: number[] }>('_shapespline_bending'),
   ghostPositions: ofMotion<{ t: number }, { positions: Float32Array }>('_shapespline_ghost_positions'),
+  timingDerivatives: ofMotion<{ t: number; regionOf: number[] }, TimingDerivatives>(
+    '_shapespline_timing_derivatives',
+    'batch',
+  ),
   /** Measures at least one of these times, and more of them within `maxMs`. */
   measure: ofMotion<{ times: number[]; maxMs: number }, MeasuresAt>('_shapespline_measure', 'batch'),
   /** The component of each face; -1 without area. */

@@ -26,6 +26,7 @@ const ARRAYS = {
   componentOf: Int32Array,
   order: Int32Array,
   positions: Float32Array,
+  shapes: Float32Array,
   normals: Float32Array,
   uvs: Float32Array,
   offsets: Float32Array,
