@@ -214,6 +214,11 @@ test('the timing is fitted to the animation, goes stale with a key, and is fitte
   expect(difference(await app.positionsAt(between), shape)).toBeGreaterThan(1e-4 * diagonal(shape));
 
   await app.by('opening-done').click();
+  const parts = fitted.motion.regions;
+  await app.by('region-colours').check();
+  await app.by('regions-open').click();
+  await expect(app.by('regions').getByRole('listitem')).toHaveCount(parts.length);
+  await app.by('region-colours').uncheck();
   await app.by('undo').click();
   await expect.poll(async () => (await app.state()).doc.motion).toEqual(plain.motion);
   await expect(app.by('plain-timing')).toBeHidden();

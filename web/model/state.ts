@@ -48,7 +48,7 @@ export interface Play {
  * `texture`: the file's materials, or clay without any. `distance`: distance of every vertex of the compared motion
  * from the first motion or the animation of the keys.
  */
-export type Colouring = 'texture' | 'phase' | 'patches' | FaceAmount | 'distance';
+export type Colouring = 'texture' | 'phase' | 'patches' | 'regions' | FaceAmount | 'distance';
 /** Heat map of every face relative to the reference pose. */
 export type FaceAmount = 'rotation' | 'stretch';
 

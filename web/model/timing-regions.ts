@@ -3,6 +3,14 @@ import type { TimingRegion } from '../engine/api/types.ts';
 
 type Regions = readonly TimingRegion[];
 
+/** The region of each face; -1 for faces in none. A face in several regions belongs to the first. */
+export function regionOfFaces(regions: Regions, faces: number): Int32Array {
+  const regionOf = new Int32Array(faces).fill(-1);
+  for (const [region, { faces: runs }] of [...regions.entries()].reverse())
+    for (let i = 0; i + 1 < runs.length; i += 2) regionOf.fill(region, runs[i], runs[i]! + runs[i + 1]!);
+  return regionOf;
+}
+
 function mapped(regions: Regions, change: (values: number[], name: 'earlier' | 'swing') => number[]): TimingRegion[] {
   const listOf = (region: TimingRegion, name: 'earlier' | 'swing'): number[] =>
     region[name].length > 0 ? change(region[name], name) : [];

@@ -1,7 +1,8 @@
 /** Passes shapes from the sequences to the viewer, by time, document and look. */
 import { METHOD } from '../../engine/api/methods.ts';
 import type { Shape } from '../../engine/api/api.ts';
-import type { Frame, Ghost, KeysInfo } from '../../engine/api/types.ts';
+import type { Frame, Ghost, KeysInfo, TimingRegion } from '../../engine/api/types.ts';
+import { regionOfFaces } from '../../model/timing-regions.ts';
 import type { CameraPose, ViewName } from '../../model/camera.ts';
 import type { AppState, Doc, View } from '../../model/state.ts';
 import type { ColourBarProps } from '../../ui/colour-bar.ts';
@@ -79,7 +80,8 @@ export class SceneController {
   private base: Measure | null = null;
   /** Time of the last measurement of volume and area. */
   private measuredAt = 0;
-  private patchesOf: Shape | null = null;
+  /** What the colours of patches or regions belong to. */
+  private patchesOf: Shape | TimingRegion[] | null = null;
   private film: Film | null = null;
   private hasOnion = false;
   /** The import has been shown in a view other than a film strip. */
@@ -237,7 +239,7 @@ export class SceneController {
     await this.showOnionSkins(input, sequences, state);
     if (this.film) this.labels = this.labels.map((label) => ({ ...label, detail: '' }));
     this.place();
-    await this.showPatches(sequences[0]?.sequence.shape, state.view);
+    await this.showPatches(sequences[0]?.sequence.shape, state);
   }
 
   /** The animation beside the motions, or null. */
@@ -252,7 +254,7 @@ export class SceneController {
 
   setLook(view: View, dark: boolean): void {
     const { colouring, shading, wireframe, floor, split } = view;
-    this.look = { colouring, shading, wireframe, floor, dark };
+    this.look = { colouring: colouring === 'regions' ? 'patches' : colouring, shading, wireframe, floor, dark };
     this.applyLook();
     this.viewer.setSplit(split);
     this.place();
@@ -450,11 +452,14 @@ export class SceneController {
     }
   }
 
-  private async showPatches(shape: Shape | undefined, view: View): Promise<void> {
-    if (!shape || !this.info || view.colouring !== 'patches' || this.patchesOf === shape) return;
-    const patches = await shape.patches();
-    this.patchesOf = shape;
-    this.viewer.setPatchColours(patchColours(patches, this.info.faces, this.info.report.vertices));
+  private async showPatches(shape: Shape | undefined, { doc, view }: AppState): Promise<void> {
+    const { regions } = doc.motion;
+    const of = view.colouring === 'regions' ? regions : view.colouring === 'patches' ? shape : null;
+    if (!shape || !this.info || !of || this.patchesOf === of) return;
+    const { faces, report } = this.info;
+    const groups = of === shape ? await shape.patches() : regionOfFaces(regions, faces.length / 3);
+    this.patchesOf = of;
+    this.viewer.setPatchColours(patchColours(groups, faces, report.vertices));
   }
 }
 

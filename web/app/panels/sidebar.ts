@@ -2,6 +2,7 @@
 import { tightness } from '../../model/edits.ts';
 import { DEFAULT_ENCODING, DEFAULT_MOTION } from '../../model/state.ts';
 import { panelSection } from '../../ui/controls.ts';
+import { h } from '../../ui/dom.ts';
 import { lazyComponent } from '../../ui/lazy.ts';
 import type { LazyComponent } from '../../ui/lazy.ts';
 import { createMotionPanel } from '../../ui/motion-panel.ts';
@@ -47,6 +48,10 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
     const { createSplineOptions } = await import('../../ui/spline-options.ts');
     return createSplineOptions(commands.motion);
   }, onError);
+  const regions = lazyComponent(async () => {
+    const { createRegionList } = await import('../../ui/region-list.ts');
+    return createRegionList((on) => commands.view({ colouring: on ? 'regions' : 'texture' }));
+  }, onError);
   const motionPanel = createMotionPanel(
     {
       onMotion: commands.motion,
@@ -62,9 +67,13 @@ export function createSidebar({ context, commands, connect, onFilled }: SidebarP
       onReset: commands.resetMotion,
     },
     sampling.element,
-    splineOptions.element,
+    h('div', { class: 'group' }, regions.element, splineOptions.element),
   );
   connect(sampling, samplingProps(sampling));
+  connect(regions, ({ state: { doc, view }, opened: { info } }) => {
+    if (doc.motion.regions.length > 0) void regions.need();
+    return { doc, colouring: view.colouring, faces: info?.report.faces ?? 0 };
+  });
   connect(splineOptions, ({ state: { doc }, opened, disabled }) => {
     // The options are loaded after the first shape, which does not need them.
     if (opened.ms !== null) void splineOptions.need();

@@ -92,7 +92,8 @@ export function writePermalink(state: AppState, initial: Doc): string | null {
     Object.entries(fallbacks).forEach(([name, fallback]) => put(name, options[name as never], fallback));
   putOptions(linked(doc.motion), linked(initial.motion));
   putOptions(doc.encoding, initial.encoding);
-  put('colour', view.colouring, DEFAULT_VIEW.colouring);
+  // A link has no regions.
+  if (view.colouring !== 'regions') put('colour', view.colouring, DEFAULT_VIEW.colouring);
   put('shading', view.shading, DEFAULT_VIEW.shading);
   for (const name of FLAGS) put(name, view[name], DEFAULT_VIEW[name]);
   put('compare', view.compare.join(','), '');
