@@ -8,7 +8,7 @@ import path from 'node:path';
 import type { Engine, Sequence } from '../../web/engine/api/api.ts';
 import { createEngine } from '../../web/engine/node.ts';
 import type { InputFile, MotionOptions } from '../../web/engine/api/types.ts';
-import { KgError } from '../../web/study/kg-error.ts';
+import { KgError } from '../../web/engine/timing/kg-error.ts';
 import { readReference } from '../../web/study/reference-motion.ts';
 import { poseFiles } from '../engine/support/glb.ts';
 import { frameOf } from './frames.ts';

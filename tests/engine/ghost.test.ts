@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import type { Keys, Sequence } from '../../web/engine/api/api.ts';
 import { kgBetween, studyGhosts } from '../../web/study/ghost-study.ts';
-import { KgError } from '../../web/study/kg-error.ts';
+import { KgError } from '../../web/engine/timing/kg-error.ts';
 import type { InputFile, Progress, SequenceOptions } from '../../web/engine/api/types.ts';
 import { bendKeys, bendSequence, failureOf, frameAt, testEngine } from './support/engines.ts';
 import { bar, diagonal, largestDistance } from './support/shapes.ts';

@@ -1,8 +1,7 @@
 /** The fit of the timing finds the timing of a motion that has one. */
 import { expect, it } from 'vitest';
 import type { CallOptions } from '../../web/engine/api/api.ts';
-import type { TimingRegion } from '../../web/engine/api/types.ts';
-import { fitTiming, type Timings } from '../../web/study/timing-fit.ts';
+import type { TimingRegion, Timings } from '../../web/engine/api/types.ts';
 import { bendKeys, testEngine } from './support/engines.ts';
 
 const engine = testEngine();
@@ -16,9 +15,10 @@ async function timedBend(timings: Partial<Timings>, times = evenly) {
   const motion = await shape.motion({ ...timings, keyTimes: KEYS });
   const shapes = (await motion.evaluateMany(times)).map((frame) => frame.positions.slice());
   motion.dispose();
-  const animation = { times, frame: (index: number) => shapes[index]! };
+  const animation = { times, at: (index: number) => shapes[index]! };
+  const plain = await shape.motion({ keyTimes: KEYS, pins: [] });
   const fitOf = (regions: number, at = times, call?: CallOptions) =>
-    fitTiming({ engine, keys, shape, options: {}, animation: { ...animation, times: at } }, KEYS, regions, call);
+    engine.fitTiming(plain, { ...animation, times: at }, { regions }, call);
   return { shape, fitOf };
 }
 
@@ -61,6 +61,9 @@ it('finds none in the plain motion, and needs frames between the keys', async ()
   expect(await fitOf(1, KEYS)).toBeNull();
   const stop = new AbortController();
   stop.abort();
-  await expect(fitOf(1, evenly, { signal: stop.signal })).rejects.toThrow();
+  await expect(fitOf(1, evenly, { signal: stop.signal })).rejects.toMatchObject({ code: 'cancelled' });
+  await expect(fitOf(0)).rejects.toThrow('from 1 to 64, not 0');
+  const linear = await shape.motion({ method: 'linear' });
+  await expect(engine.fitTiming(linear, { times: evenly, at: () => new Float32Array() })).rejects.toThrow("'lri' only");
   shape.dispose();
 });

@@ -2,9 +2,8 @@
 import type { Engine, Keys, Shape } from '../engine/api/api.ts';
 import { OWN_METHOD } from '../engine/api/methods.ts';
 import { motionOf } from '../engine/api/options.ts';
-import type { ImportOptions, InputFile, MotionOptions, SequenceOptions } from '../engine/api/types.ts';
+import type { ImportOptions, InputFile, SequenceOptions, TimingFit, Timings } from '../engine/api/types.ts';
 import { MAX_REGIONS } from '../engine/api/option-table.ts';
-import { fitTiming, type TimingFit, type Timings } from '../study/timing-fit.ts';
 import { UsageError, type Arguments } from './arguments.ts';
 import { readReference } from './reference-animation.ts';
 
@@ -55,9 +54,10 @@ export async function fittedTiming(
     throw new UsageError(`${FLAG} requires keys that are taken from an animation (see --sample)`);
   const animation = await readReference(engine, keys, inputs, imported, {});
   try {
-    // Holding and pins move the shapes after the spline, and the travel belongs to the animation.
-    const plain: MotionOptions = { ...motionOf(options), hold: 'off', pins: [], inPlace: false };
-    const fit = await fitTiming({ engine, keys, shape, options: plain, animation }, keys.info.times, regions);
+    const motion = await shape.motion({ ...motionOf(options), hold: 'off', pins: [] });
+    const frames = { times: animation.times, at: (index: number) => animation.frame(index) };
+    const fit = await engine.fitTiming(motion, frames, { regions });
+    motion.dispose();
     if (!fit)
       throw new UsageError(`${FLAG}: the animation has no frames between the keys. Take fewer keys (see --sample)`);
     return { options: fit.timings, text: textOf(fit) };

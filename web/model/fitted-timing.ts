@@ -1,24 +1,16 @@
 /** A timing fitted to the animation from which the keys were taken, in the document. */
-import type { TimingRegion } from '../engine/api/types.ts';
+import type { TimingFit, Timings } from '../engine/api/types.ts';
 import { setMotion, setTiming } from './edits.ts';
 import type { Doc } from './state.ts';
-
-export interface FittedTimings {
-  /** Of the whole: empty, or one number per key. */
-  earlier: readonly number[];
-  swing: readonly number[];
-  regions: TimingRegion[];
-}
 
 /** Result of a fit. */
 export interface TimingResult {
   /** What it belongs to (`fitKey`). */
   key: string;
-  /** KG errors in percent on frames that a fit to the others has not seen; null if there are none. */
-  unseen: { frames: number; before: number; after: number } | null;
+  unseen: TimingFit['unseen'];
 }
 
-export function withTimings(doc: Doc, { earlier, swing, regions }: FittedTimings): Doc {
+export function withTimings(doc: Doc, { earlier, swing, regions }: Timings): Doc {
   const timed = doc.keys.reduce(
     (next, _, key) => setTiming(next, key, { earlier: earlier[key] ?? 0, swing: swing[key] ?? 0 }),
     doc,

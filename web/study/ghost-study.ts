@@ -4,7 +4,7 @@
  */
 import type { CallOptions, Engine, Keys, Sequence } from '../engine/api/api.ts';
 import { fitWarnings, isOwnAt, unfittedNote } from './fitted-intervals.ts';
-import { KgError } from './kg-error.ts';
+import { KgError } from '../engine/timing/kg-error.ts';
 import type { SequenceOptions, SequenceStats, Transfer } from '../engine/api/types.ts';
 
 /** Sizes in the paper's figure. */

@@ -1,5 +1,5 @@
 /** Error of a motion relative to another at the same times: vertex distances and the KG error. */
-import { KgError } from './kg-error.ts';
+import { KgError } from '../engine/timing/kg-error.ts';
 
 export interface ErrorsOverTime {
   /** Largest distance per time, in percent of the diagonal; NaN without a reference. */

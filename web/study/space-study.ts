@@ -6,7 +6,7 @@ import { ghostFor, motionFor } from '../engine/api/method-options.ts';
 import { SEQUENCE_DEFAULTS, type Method, type SequenceOptions } from '../engine/api/types.ts';
 import { edgeLengths, edgesOf } from './edge-lengths.ts';
 import { fitWarnings, fittedCount, isOwnAt, unfittedNote } from './fitted-intervals.ts';
-import { KgError } from './kg-error.ts';
+import { KgError } from '../engine/timing/kg-error.ts';
 
 /** The animation of the keys: a shape per time. */
 export interface ReferenceShapes {

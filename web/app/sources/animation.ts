@@ -2,16 +2,15 @@
  * The animation in the open files: finds the fewest keys that suffice, and provides the animation for comparison. An
  * animation of other files can replace it in comparisons.
  */
-import type { Engine, MotionChange } from '../../engine/api/api.ts';
+import type { Engine } from '../../engine/api/api.ts';
 import { isCancelled } from '../../engine/api/errors.ts';
 import { fileName, modelName } from '../../engine/api/paths.ts';
 import { OWN_METHOD } from '../../engine/api/methods.ts';
 import { likeOf } from '../../engine/api/read-poses.ts';
-import type { InputFile, Progress } from '../../engine/api/types.ts';
+import type { InputFile, Progress, TimingFit } from '../../engine/api/types.ts';
 import { fewestKeys } from '../../study/fewest-keys.ts';
 import { readReference } from '../../study/reference-motion.ts';
 import type { ReferenceMotion, TimedShapes } from '../../study/reference-motion.ts';
-import { fitTiming, type TimingFit } from '../../study/timing-fit.ts';
 import { MAX_SAMPLED } from '../../engine/api/option-table.ts';
 import { length } from '../../model/time-scale.ts';
 import type { Range } from '../../model/time-scale.ts';
@@ -32,9 +31,6 @@ export interface AnimationParts {
   onWorking(working: Progress | null): void;
   onError(error: unknown): void;
 }
-
-/** Number of regions that get timings of their own. */
-const FITTED_REGIONS = 16;
 
 export interface Fewest {
   keys: number;
@@ -110,10 +106,9 @@ export class Animation {
       const keys = pool.keys.arrange(plan.order, plan.times);
       const shape = await engine.encode(keys, encodingFor(plan, variant, pool.keys), { signal });
       try {
-        const options: MotionChange = { ...plan.motion, hold: 'off', pins: [] };
-        const frames = { times: reference.times, frame: (index: number) => reference.keys.positions(index) };
-        const fitted = { engine, keys, shape, options, animation: frames };
-        return await fitTiming(fitted, plan.times, FITTED_REGIONS, { signal, onProgress: onWorking });
+        const motion = await shape.motion({ ...plan.motion, hold: 'off', pins: [] });
+        const frames = { times: reference.times, at: (index: number) => reference.keys.positions(index) };
+        return await engine.fitTiming(motion, frames, {}, { signal, onProgress: onWorking });
       } finally {
         shape.dispose();
         keys.dispose();

@@ -22,6 +22,7 @@ import type {
   PatchCurve,
   ShapePlane,
   TimingDerivatives,
+  TimingFit,
   Warning,
 } from './types.ts';
 
@@ -37,6 +38,13 @@ export interface AheadOptions {
   signal?: AbortSignal;
 }
 
+/** Frames of an animation on the timeline of the keys. */
+export interface TimedFrames {
+  readonly times: readonly number[];
+  /** The positions of a frame, 3 x vertices. */
+  at(index: number): Float32Array;
+}
+
 export interface Engine {
   /** Reads files into keys. Earlier imports and sequences never change. */
   importKeyframes(files: InputFile[], options?: ImportOptions, call?: CallOptions): Promise<Keys>;
@@ -48,6 +56,17 @@ export interface Engine {
   encode(keys: Keys, options?: Partial<EncodingOptions>, call?: CallOptions): Promise<Shape>;
   /** A shape with one motion. */
   createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
+  /**
+   * Fits the timing between the keys to the animation from which they were taken: at most this number of regions (16;
+   * with 1, the whole shape has one timing), and the position. The motion's own timing, hold, pins and `inPlace` are left
+   * out. null if the animation has no frame between the keys. Code 'invalid-option' with another method than LRI.
+   */
+  fitTiming(
+    motion: Motion,
+    animation: TimedFrames,
+    options?: { regions?: number },
+    call?: CallOptions,
+  ): Promise<TimingFit | null>;
   /** Ends every worker. Idempotent. */
   dispose(): void;
 }

@@ -12,6 +12,8 @@ export const MAX_KEYS = 10_000;
 /** Limit for pins, and for keys of a pin's path. */
 export const MAX_PINS = 100;
 export const MAX_PATH_KEYS = 1000;
+/** Number of regions that a fit gives timings of their own. */
+export const FITTED_REGIONS = 16;
 /** Limits for regions with timings of their own, and for all their numbers. */
 export const MAX_REGIONS = 64;
 export const MAX_REGION_NUMBERS = 100_000;

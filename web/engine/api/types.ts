@@ -12,6 +12,7 @@ export interface InputFile {
   bytes: Uint8Array;
 }
 
+import type { TimingRegion } from './option-table.ts';
 export type { AddedTurns, PathKey, Pin, SceneObject, TimingRegion } from './option-table.ts';
 
 /** Options of an import. */
@@ -352,6 +353,23 @@ export interface MotionSpeed {
    * keys; 0 between them, and beyond the first and last key.
    */
   overshoot: number[];
+}
+
+/** Timings as options of a motion. */
+export interface Timings {
+  earlier: number[];
+  swing: number[];
+  regions: TimingRegion[];
+}
+
+export interface TimingFit {
+  /** Empty lists if no timing lowers the error. */
+  timings: Timings;
+  /**
+   * KG errors in percent without and with timing, on this number of frames that a fit to the other frames has not seen;
+   * null if every interval has at most one frame.
+   */
+  unseen: { frames: number; before: number; after: number } | null;
 }
 
 /** How a shape changes with the timing of the intervals around its time, for fits. */

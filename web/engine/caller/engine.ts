@@ -1,11 +1,12 @@
 /** The engine over any kind of worker. A failed or cancelled task ends its worker. */
-import type { CallOptions, Engine, Keys, Sequence, Shape } from '../api/api.ts';
+import type { CallOptions, Engine, Keys, Motion, Sequence, Shape, TimedFrames } from '../api/api.ts';
 import { cancelled, disposed, invalidOption, untilAborted } from '../api/errors.ts';
+import { FITTED_REGIONS, MAX_REGIONS } from '../api/option-table.ts';
 import { checkImportSize } from '../api/import-size.ts';
 import { LARGE, mayBeLarge } from '../api/large.ts';
 import { KeyArrays } from './keyframes.ts';
 import { withSpellings, withoutLeftovers } from '../api/paths.ts';
-import { isFitted } from '../api/methods.ts';
+import { isFitted, OWN_METHOD } from '../api/methods.ts';
 import { ENCODING_SHARE, partOf } from '../api/progress.ts';
 import {
   checkCall,
@@ -24,7 +25,15 @@ import { urgency } from './scheduler.ts';
 import { SequenceClient } from './sequence.ts';
 import { ShapeClient, type ShapeParts } from './shape.ts';
 import { SEQUENCE_DEFAULTS } from '../api/types.ts';
-import type { EncodingOptions, ImportOptions, InputFile, KeyMesh, SequenceOptions } from '../api/types.ts';
+import type {
+  EncodingOptions,
+  ImportOptions,
+  InputFile,
+  KeyMesh,
+  MotionOptions,
+  SequenceOptions,
+  TimingFit,
+} from '../api/types.ts';
 
 export interface Platform {
   spawn: Spawn;
@@ -124,6 +133,27 @@ export class EngineClient implements Engine {
       const spec = shape.spec(motion, shape.parts.keys.info.times);
       return new SequenceClient(...(await motionParts(shape, spec, part(ENCODING_SHARE, 1))));
     });
+  }
+
+  async fitTiming(
+    motion: Motion,
+    animation: TimedFrames,
+    { regions = FITTED_REGIONS }: { regions?: number } = {},
+    call?: CallOptions,
+  ): Promise<TimingFit | null> {
+    this.checkAlive();
+    checkCall(call);
+    const { shape, options, keyTimes } = motion;
+    const isOwn = shape instanceof ShapeClient && this.shapes.has(shape);
+    if (!isOwn || options.method !== OWN_METHOD || options.keepLengths > 0)
+      throw invalidOption(`A timing can be fitted to motions of this engine with the method '${OWN_METHOD}' only.`);
+    if (!Number.isInteger(regions) || regions < 1 || regions > MAX_REGIONS)
+      throw invalidOption(`The number of regions must be a whole number from 1 to ${MAX_REGIONS}, not ${regions}.`);
+    const { fitTiming } = await import('../timing/timing-fit.ts');
+    // Holding and pins move the shapes after the spline, and the travel belongs to the animation.
+    const plain: MotionOptions = { ...motionOf(options), hold: 'off', pins: [], inPlace: false };
+    const keys = new KeyArrays(shape.parts.keys);
+    return fitTiming({ engine: this, keys, shape, times: keyTimes, options: plain, animation }, regions, call);
   }
 
   dispose(): void {

@@ -2,7 +2,7 @@
  * Regions of a shape that move alike in the keys: neighbouring patches merged greedily, by how their rotations relative
  * to one patch differ over the keys. Neighbours are also patches of attached components.
  */
-import type { Keys, Motion } from '../engine/api/api.ts';
+import type { Keys, Motion } from '../api/api.ts';
 
 type Quaternion = readonly [w: number, x: number, y: number, z: number];
 

@@ -1,6 +1,6 @@
 /** A simplified shape for fits: its vertices are vertices of the shape, so its motion is nearly the shape's. */
-import type { Engine, Keys, Shape } from '../engine/api/api.ts';
-import type { EncodingOptions } from '../engine/api/types.ts';
+import type { Engine, Keys, Shape } from '../api/api.ts';
+import type { EncodingOptions } from '../api/types.ts';
 
 export interface SmallShape {
   shape: Shape;

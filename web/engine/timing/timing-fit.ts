@@ -3,42 +3,20 @@
  * the whole shape or for regions, and for the mean position. One step of least squares over frames between the keys,
  * on a simplified shape.
  */
-import type { CallOptions, Engine, Keys, Motion, MotionChange, Shape } from '../engine/api/api.ts';
-import type { TimingRegion } from '../engine/api/types.ts';
+import type { CallOptions, Engine, Keys, Motion, MotionChange, Shape, TimedFrames } from '../api/api.ts';
+import { cancelled } from '../api/errors.ts';
+import type { TimingFit, TimingRegion, Timings } from '../api/types.ts';
 import { KgError } from './kg-error.ts';
 import { mergedPatches } from './merged-patches.ts';
 import { NormalEquations } from './normal-equations.ts';
 import { smallShape, type SmallShape } from './small-shape.ts';
 
-/** Frames of an animation on the timeline of the keys. */
-export interface TimedFrames {
-  readonly times: readonly number[];
-  /** The positions of a frame, 3 x vertices. */
-  frame(index: number): Float32Array;
-}
-
-/** Timings as options of a motion. */
-export interface Timings {
-  earlier: number[];
-  swing: number[];
-  regions: TimingRegion[];
-}
-
-export interface TimingFit {
-  /** Empty lists if no timing lowers the error. */
-  timings: Timings;
-  /**
-   * KG errors in percent without and with timing, on this number of frames that a fit to the other frames has not seen;
-   * null if every interval has at most one frame.
-   */
-  unseen: { frames: number; before: number; after: number } | null;
-}
-
-/** A motion to fit: a shape and its keys, options without timing, and the animation. */
+/** A motion to fit: the shape with its keys, key times, options without timing, and the animation. */
 export interface Fitted {
   engine: Engine;
   keys: Keys;
   shape: Shape;
+  times: readonly number[];
   options: MotionChange;
   animation: TimedFrames;
 }
@@ -53,19 +31,19 @@ const AT_ONCE = 16;
 const NO_TIMINGS: Timings = { earlier: [], swing: [], regions: [] };
 
 /**
- * Returns null if the animation has no frame between the keys. `times`: of the keys. `regions`: largest number of
- * regions; with 1, the whole shape has one timing.
+ * Returns null if the animation has no frame between the keys. `regions`: largest number of regions; with 1, the whole
+ * shape has one timing.
  */
 export async function fitTiming(
   fitted: Fitted,
-  times: readonly number[],
   regions: number,
   { signal, onProgress }: CallOptions = {},
 ): Promise<TimingFit | null> {
+  const { times } = fitted;
   const between = framesBetween(times, fitted.animation.times);
   if (between.flat().length === 0) return null;
   const report = (fraction: number): void => {
-    signal?.throwIfAborted();
+    if (signal?.aborted) throw cancelled();
     onProgress?.({ stage: 'fitting the timing', fraction });
   };
   report(0);
@@ -75,17 +53,14 @@ export async function fitTiming(
   report(0.05);
   const small = await smallShape(fitted.engine, fitted.keys, fitted.shape.options, regionOf);
   try {
-    const halves = await equationsOf(fitted, small, times, between.flatMap(spread), (done) => report(0.1 + 0.8 * done));
+    const halves = await equationsOf(fitted, small, between.flatMap(spread), (done) => report(0.1 + 0.8 * done));
     const timingsFrom = (equations: NormalEquations): Timings => timingsOf(equations, regionOf, times.length);
     const all = timingsFrom(halves[0].equations.plus(halves[1].equations));
     const seen = new Set(halves[0].frames);
     const unseen = between.flat().filter((frame) => !seen.has(frame));
     if (unseen.length === 0) return { timings: all, unseen: null };
     const half = timingsFrom(halves[0].equations);
-    const [before, after] = [
-      await errorOf(fitted, times, unseen, NO_TIMINGS),
-      await errorOf(fitted, times, unseen, half),
-    ];
+    const [before, after] = [await errorOf(fitted, unseen, NO_TIMINGS), await errorOf(fitted, unseen, half)];
     report(1);
     return { timings: after < before ? all : NO_TIMINGS, unseen: { frames: unseen.length, before, after } };
   } finally {
@@ -117,9 +92,8 @@ interface Half {
  * position last.
  */
 async function equationsOf(
-  { options, animation }: Fitted,
+  { times, options, animation }: Fitted,
   small: SmallShape,
-  times: readonly number[],
   frames: readonly number[],
   done: (fraction: number) => void,
 ): Promise<[Half, Half]> {
@@ -147,7 +121,7 @@ async function equationsOf(
       );
       const half = (i % 2 === 0 ? first : second)!;
       half.frames.push(frame);
-      half.equations.add(unknowns, columns, minus(small.verticesOf(animation.frame(frame)), shown!));
+      half.equations.add(unknowns, columns, minus(small.verticesOf(animation.at(frame)), shown!));
       done((i + 1) / frames.length);
     }
   } finally {
@@ -207,12 +181,11 @@ async function shapesOf(motion: Motion, times: number[]): Promise<Float32Array[]
 const minus = (a: Float32Array, b: Float32Array): Float32Array => a.map((value, i) => value - b[i]!);
 
 async function errorOf(
-  { shape, options, animation }: Fitted,
-  keyTimes: readonly number[],
+  { shape, times, options, animation }: Fitted,
   frames: readonly number[],
   timings: Timings,
 ): Promise<number> {
-  const motion = await shape.motion({ ...options, keyTimes: [...keyTimes], ...timings });
+  const motion = await shape.motion({ ...options, keyTimes: [...times], ...timings });
   const error = new KgError();
   try {
     for (let start = 0; start < frames.length; start += AT_ONCE) {
@@ -221,7 +194,7 @@ async function errorOf(
         motion,
         some.map((frame) => animation.times[frame]!),
       );
-      shown.forEach((positions, i) => error.add(animation.frame(some[i]!), positions));
+      shown.forEach((positions, i) => error.add(animation.at(some[i]!), positions));
     }
   } finally {
     motion.dispose();
