@@ -58,8 +58,8 @@ export interface Engine {
   createSequence(keys: Keys, options?: Partial<SequenceOptions>, call?: CallOptions): Promise<Sequence>;
   /**
    * Fits the timing between the keys to the animation from which they were taken: at most this number of regions (16;
-   * with 1, the whole shape has one timing), and the position. The motion's own timing, hold, pins and `inPlace` are left
-   * out. null if the animation has no frame between the keys. Code 'invalid-option' with another method than LRI.
+   * with 1, the whole shape has one timing), and the position. The motion's own timing, hold, pins and `inPlace` are
+   * left out. null if the animation has no frame between the keys. Code 'invalid-option' with another method than LRI.
    */
   fitTiming(
     motion: Motion,
