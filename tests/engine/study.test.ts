@@ -152,6 +152,44 @@ describe('study spaces', () => {
     expect(other.rows[0]).toMatchObject({ volume: '', 'edge lengths': '', 'frame time': '' });
     expect(Number(other.rows[1]!['edge lengths'])).toBeGreaterThan(0);
   });
+
+  it('has rows for a fitted timing and for frames of another method, and says what made it', async () => {
+    const folder = await folderOf([await rigFile('rig.glb')]);
+    const from = ['rig.glb', '--sample', '8'];
+    const words = ['spaces', ...from, '--against', 'rig.glb', '--methods', 'lri,linear', '--fit-timing', '16'];
+    const { comments, rows } = await study(folder, ...words);
+    expect(rows.map((row) => [row['method'], row['timing']])).toEqual([
+      ['lri', 'off'],
+      ['lri', '16'],
+      ['linear', 'off'],
+    ]);
+    const [plain, fitted] = rows.map((row) => Number(row['KG error'])) as [number, number];
+    expect(fitted).toBeLessThan(plain);
+    for (const [line, holds] of [
+      ['# date ', /\d{4}-\d\d-\d\d/],
+      ['# machine ', /Node v/],
+      ['# options ', /"fit-timing":"16"/],
+      ['# timing fitted', /every frame/],
+    ] as const)
+      expect(comments.find((one) => one.startsWith(line))).toMatch(holds);
+
+    const frames = ['--frames-of', 'own=own', '--against', 'rig.glb', '--methods', 'lri'];
+    await runCli(folder, 'complete', ...from, '--frames', '3', '--output', 'own/');
+    const wrong = await runCli(folder, 'study', 'spaces', ...from, ...frames);
+    const measured = await runCli(folder, 'measure', ...from, '--against', 'rig.glb');
+    const times = [...measured.stdout.matchAll(/^([\d.]+),/gm)].map(([, t]) => t!);
+    expect([wrong.code, wrong.stderr]).toEqual([
+      2,
+      expect.stringContaining(`own has 3 frames, but --against has ${times.length}`),
+    ]);
+    await runCli(folder, 'complete', ...from, '--at', times.join(), '--hold', 'off', '--output', 'own/');
+    const table = await study(folder, 'spaces', ...from, ...frames);
+    expect(table.rows.map((row) => row['method'])).toEqual(['lri', 'own']);
+    const [lri, own] = table.rows as [Record<string, string>, Record<string, string>];
+    for (const name of ['KG error', 'largest distance'])
+      expect(Number(own[name]) / Number(lri[name])).toBeCloseTo(1, 3);
+    expect(own['frame time']).toBe('');
+  });
 });
 
 describe('methods that fit shapes', () => {

@@ -128,8 +128,8 @@ export const STUDY_GHOST = known(
 );
 export const STUDY_SPACES = known(
   [...studied, ...fittedFlags],
-  ['output', 'methods', 'against', 'against-up', 'against-unit'],
-  ['against'],
+  ['output', 'methods', 'against', 'against-up', 'against-unit', 'fit-timing', 'frames-of'],
+  ['against', 'frames-of'],
   ['overwrite'],
 );
 export const STUDY_TABLES = known(importFlags, ['output'], [], ['overwrite']);
@@ -186,7 +186,8 @@ ${line('  --against FILE', "measure, study spaces: compare each method with this
 ${line('  --against-up y|z', 'measure, study spaces: up axis of that animation; default: as its file states, otherwise --up')}
 ${line('  --against-unit METRES', 'measure, study spaces: metres per unit of that animation; default: as its file states, otherwise --unit')}
 ${line('  --shell-bending', 'measure: add the bending energy computed from edge lengths and angles, in the same way for every method; up to three more shapes are computed for each time')}
-${line('  --fit-timing N|off', 'complete, measure: fit the timing of N regions (1 or whole: one timing for all; 16 are usual) to the animation from which the keys are taken, and print the error on frames that the fit has not seen; default: off')}
+${line('  --frames-of NAME=DIR', 'study spaces: a row for the frames of another method, one file per frame of --against; may be repeated')}
+${line('  --fit-timing N|off', 'complete, measure, study spaces (as a further row): fit the timing of N regions (1 or whole: one timing for all; 16 are usual) to the animation from which the keys are taken, and print the error on frames that the fit has not seen; default: off')}
 ${line('  --overwrite', 'let --output and --report replace an input. Never replaced are files that an input refers to, nor files beside the output that shapespline did not write or that have changed since')}
 ${line('  --report R.json', 'complete: write options, timings, counts, warnings, volume and area to this file')}
 ${helpOn(importFlags)}

@@ -1,17 +1,19 @@
 /** The study commands: tables that compare sizes of a ghost mesh, methods, and the paper's costs. */
+import { cpus } from 'node:os';
 import { version } from '../../package.json';
 import type { Engine, Keys } from '../engine/api/api.ts';
 import { validationError } from '../engine/api/options.ts';
 import { ENCODING } from '../engine/api/option-table.ts';
-import { METHODS } from '../engine/api/methods.ts';
-import type { Method } from '../engine/api/types.ts';
+import { METHODS, OWN_METHOD } from '../engine/api/methods.ts';
+import { encodingOf } from '../engine/api/options.ts';
+import { SEQUENCE_DEFAULTS, type Method, type SequenceOptions } from '../engine/api/types.ts';
 import { withEngine } from '../engine/node.ts';
 import { GHOST_SIZES, studyGhosts, studyTimes } from '../study/ghost-study.ts';
 import { tableJson } from '../study/motion-measures.ts';
 import { measureTables, modelOf } from '../study/paper-tables.ts';
 import type { Costs, Tables } from '../study/paper-tables.ts';
 import { studySpaces } from '../study/space-study.ts';
-import type { ReferenceShapes } from '../study/space-study.ts';
+import type { OtherFrames, ReferenceShapes } from '../study/space-study.ts';
 import { BETWEEN_VALUES, UsageError, type Arguments } from './arguments.ts';
 import { readInputs } from './input.ts';
 import { checkedFiles } from './commands.ts';
@@ -19,6 +21,7 @@ import { comparedTimes, comparisonWarnings, handOut } from './measure.ts';
 import type { Measured } from './measure.ts';
 import { againstOptions, importOptions, measuredMethods, sequenceOptions, withProject } from './settings.ts';
 import { readReference } from './reference-animation.ts';
+import { fittedRegions, fittedTiming, type FittedTiming, type Source } from './timing.ts';
 import * as read from './values.ts';
 
 type Cell = string | number;
@@ -28,13 +31,15 @@ interface StudyTable {
   columns: Readonly<Record<string, string>>;
   rows: Cell[][];
   warnings?: string[];
+  /** Further lines of the header. */
+  notes?: string[];
 }
 
-type Study = (args: Arguments, engine: Engine, keys: Keys) => Promise<StudyTable>;
+type Study = (source: Source) => Promise<StudyTable>;
 
 export function studyGhost(args: Arguments): Promise<Measured> {
   const sizes = ghostSizes(args);
-  return run(args, async (_, engine, keys) => {
+  return run(args, async ({ engine, keys }) => {
     const { faces } = keys.info.report;
     const [first, last] = [keys.info.times[0]!, keys.info.times.at(-1)!];
     const left: string[] = [];
@@ -88,27 +93,45 @@ export function studyMethods(args: Arguments): Promise<Measured> {
   const own = againstOptions(args);
   if (against.length === 0 && Object.keys(own).length > 0)
     throw new UsageError('--against-up and --against-unit require --against');
-  return run(args, async (_, engine, keys) => {
+  const regions = fittedRegions(args);
+  if (regions > 0 && !methods.includes(OWN_METHOD))
+    throw new UsageError(`--fit-timing requires ${OWN_METHOD} among --methods`);
+  const folders = frameFolders(args, against);
+  return run(args, async (source) => {
+    const { engine, keys } = source;
     const { reference, warnings } = await referenceOf(args, engine, keys, against);
-    const rows = await studySpaces(engine, keys, sequenceOptions(args), { methods, reference });
+    const options = { ...SEQUENCE_DEFAULTS, ...sequenceOptions(args), method: OWN_METHOD };
+    const timing = regions > 0 ? await timingOf(source, options, regions) : null;
+    const others: OtherFrames[] = [];
+    for (const [name, folder] of folders)
+      others.push({ name, shapes: await framesOf(args, source, folder, reference!.times.length) });
+    const rows = await studySpaces(engine, keys, sequenceOptions(args), {
+      ...{ methods, reference, others },
+      // Without regions, no timing lowered the error, as a note says.
+      timing: timing && timing.options.regions.length > 0 ? timing.options : null,
+    });
     return {
       columns: SPACE_COLUMNS,
       rows: rows.map((row): Cell[] => [
         ...[
           row.method,
+          row.isTimed ? args.values.get('fit-timing')! : 'off',
           row.fitted ?? NaN,
           row.volume,
           row.area,
           row.lengths,
+          row.conformal,
           row.bending,
           row.peak,
           row.kg,
+          row.largest,
           row.ms,
           row.buildMs,
         ],
         row.note,
       ]),
       warnings: [...warnings, ...rows.flatMap(({ method, warnings: own }) => own.map((one) => `${method}: ${one}`))],
+      notes: timing ? [timing.text] : [],
     };
   });
 }
@@ -116,6 +139,7 @@ export function studyMethods(args: Arguments): Promise<Measured> {
 const SPACE_COLUMNS = {
   method:
     'the method; all columns from volume to largest bending are measured at 48 times between the first and the last key',
+  timing: 'what --fit-timing fitted to the animation from which the keys are taken',
   'intervals fitted':
     'number of intervals between keys with shapes that the method fitted; the row is measured in these only, and is empty ' +
     'without any; no number for methods that fit no shapes',
@@ -124,10 +148,14 @@ const SPACE_COLUMNS = {
   'edge lengths':
     'how far edge lengths deviate from the natural spline of their lengths in the keys, in % of the length in that spline ' +
     '(root mean square over edges and times)',
+  'conformal distortion':
+    "tr A'A / det A - 2, with the 2 x 2 gradient A of a face from the first key; mean over faces by their areas in that " +
+    'key, and over time; 0 if every face keeps its angles',
   bending:
     'mean over time of the bending energy computed from edge lengths and angles (measure --shell-bending), 1/s^4',
   'largest bending': 'largest value of this bending energy, 1/s^4',
   'KG error': 'Karni-Gotsman error against the animation of --against, at its frames, %',
+  'largest distance': "largest distance of a vertex from that animation, % of the diagonal of the keys' bounding box",
   'frame time': 'median time of a frame, ms',
   'build time': 'time from the keys until the first frame can be computed, ms',
   note: 'why the method cannot move this shape, or between which keys it fitted no shapes',
@@ -154,8 +182,43 @@ async function referenceOf(
   return { reference: { times: compared.times, shapes: compared.frames.map((frame) => frame!) }, warnings };
 }
 
+async function timingOf(source: Source, options: SequenceOptions, regions: number): Promise<FittedTiming> {
+  const shape = await source.engine.encode(source.keys, encodingOf(options));
+  return fittedTiming(source, shape, options, regions).finally(() => shape.dispose());
+}
+
+/** The folders of --frames-of, by their names. */
+function frameFolders(args: Arguments, against: readonly string[]): [name: string, folder: string][] {
+  const given = args.values.get('frames-of')?.split(BETWEEN_VALUES) ?? [];
+  if (given.length > 0 && against.length === 0) throw new UsageError('--frames-of requires --against');
+  return given.map((text) => {
+    const [, name, folder] = /^([^=]+)=(.+)$/.exec(text) ?? [];
+    if (name === undefined || folder === undefined)
+      throw new UsageError(`--frames-of requires a name and a folder, such as mine=frames/, not '${text}'`);
+    return [name, folder];
+  });
+}
+
+async function framesOf(
+  args: Arguments,
+  { engine, keys }: Source,
+  folder: string,
+  wanted: number,
+): Promise<Float32Array[]> {
+  const motion = await readReference(engine, keys, await readInputs([folder]), importOptions(args), {});
+  const count = motion.times.length;
+  if (count !== wanted)
+    throw new UsageError(
+      `--frames-of: ${folder} has ${count} frames, but --against has ${wanted} from the first key to the last. ` +
+        'Give one file for each of these frames',
+    );
+  const shapes = motion.times.map((_, frame) => motion.frame(frame));
+  motion.dispose();
+  return shapes;
+}
+
 export function studyTables(args: Arguments): Promise<Measured> {
-  return run(args, async (_, engine, keys) => ({
+  return run(args, async ({ engine, keys }) => ({
     columns: TABLE_COLUMNS,
     rows: rowsOf(await measureTables(engine, keys, modelOf(args.files))),
   }));
@@ -195,11 +258,14 @@ async function run(args: Arguments, study: Study): Promise<Measured> {
   const imported = importOptions(args);
   const known = await checkedFiles(args);
   return withEngine(async (engine) => {
-    const keys = await engine.importKeyframes(await readInputs(args.files), imported);
-    const table = await study(args, engine, keys);
+    const inputs = await readInputs(args.files);
+    const keys = await engine.importKeyframes(inputs, imported);
+    const table = await study({ engine, keys, inputs, imported });
     const output = args.values.get('output');
     const isJson = output?.toLowerCase().endsWith('.json') ?? false;
-    const text = (isJson ? jsonOf : csvOf)(args.files, table);
+    const given = [...args.values].filter(([name]) => name !== 'output');
+    const options = Object.fromEntries(given.map(([name, text]) => [name, text.replaceAll(BETWEEN_VALUES, ' ')]));
+    const text = (isJson ? jsonOf : csvOf)({ version, ...machine(), files: args.files, options }, table);
     const { warnings = [] } = table;
     return { text: await handOut(args, known, text, table.rows.length), warnings };
   });
@@ -209,12 +275,21 @@ async function run(args: Arguments, study: Study): Promise<Measured> {
 const DIGITS = 5;
 const rounded = (cell: Cell): Cell => (typeof cell === 'string' ? cell : Number(cell.toPrecision(DIGITS)));
 
-function csvOf(files: string[], { columns, rows, warnings = [] }: StudyTable): string {
+/** What a table was made with. */
+type Made = Record<string, unknown> & { version: string };
+
+const machine = (): { date: string; machine: string } => ({
+  date: new Date().toISOString().slice(0, 10),
+  machine: `${cpus()[0]?.model ?? 'unknown processor'}, ${cpus().length} threads, Node ${process.version}`,
+});
+
+function csvOf({ version: made, ...rest }: Made, { columns, rows, warnings = [], notes = [] }: StudyTable): string {
   const cell = (value: Cell): string =>
     typeof value === 'string' ? quoted(value) : Number.isFinite(value) ? String(rounded(value)) : '';
   return [
-    `# shapespline ${version}`,
-    `# files ${tableJson(files)}`,
+    `# shapespline ${made}`,
+    ...Object.entries(rest).map(([name, value]) => `# ${name} ${tableJson(value)}`),
+    ...notes.map((note) => `# ${note}`),
     ...warnings.map((warning) => `# warning: ${warning}`),
     ...Object.entries(columns).map(([name, about]) => `# ${name}: ${about}`),
     Object.keys(columns).join(','),
@@ -227,8 +302,8 @@ function csvOf(files: string[], { columns, rows, warnings = [] }: StudyTable): s
 const quoted = (text: string): string => (/[",;\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
 
 /** Numbers that are not known are null. */
-function jsonOf(files: string[], { columns, rows, warnings = [] }: StudyTable): string {
+function jsonOf(made: Made, { columns, rows, warnings = [], notes = [] }: StudyTable): string {
   const names = Object.keys(columns);
   const named = rows.map((row) => Object.fromEntries(row.map((cell, i) => [names[i], rounded(cell)])));
-  return `${JSON.stringify({ version, files, warnings, columns, rows: named }, null, 2)}\n`;
+  return `${JSON.stringify({ ...made, notes, warnings, columns, rows: named }, null, 2)}\n`;
 }
