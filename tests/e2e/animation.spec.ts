@@ -225,6 +225,7 @@ test('the timing is fitted to the animation, goes stale with a key, and is fitte
   await app.by('redo').click();
   await expect.poll(async () => (await app.state()).doc.motion).toEqual(fitted.motion);
   await app.by('key-2-edit').click();
+  await expect(app.by('key-timing-reason')).toContainText('Regions of the shape');
   await app.by('key-time').fill('0.55');
   await app.by('key-time').press('Enter');
   await app.by('key-editor-close').click();

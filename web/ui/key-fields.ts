@@ -15,6 +15,8 @@ import { optionControl } from './option-field.ts';
 
 const BENT = 'With tension or bias the velocity stays smooth at this key, but the acceleration jumps (C1, not C2).';
 
+const OF_REGIONS = 'Regions of the shape have timings of their own, which these numbers do not change.';
+
 export interface KeyFieldsProps {
   keys: readonly KeyRef[];
   range: Range;
@@ -130,7 +132,8 @@ function createTiming(onNumber: (name: IntervalNumber, value: number) => void, o
       setText(summary, `Timing to the next key: ${timingName(shaping)}`);
       const unused = numbers.update(motion, shaping);
       for (const one of presets) one.disabled = unused !== '';
-      say(reason, unused);
+      const hasRegions = motion.regions.some(({ faces }) => faces.length > 0);
+      say(reason, unused || (hasRegions ? OF_REGIONS : ''));
     },
   };
 }
