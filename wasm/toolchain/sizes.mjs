@@ -10,7 +10,7 @@ import { Explained } from './log.mjs';
  * suffix.
  */
 export const LIMITS = {
-  firstPicture: 687_900,
+  firstPicture: 685_800,
   shapespline_threads: 396_500,
   shapespline_files: 300_000,
   shapespline_shells: 150_000,
